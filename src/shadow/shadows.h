@@ -1,0 +1,91 @@
+// "What part of this light can be seen from here?", by any of the methods.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/world.h"
+#include "shadow/light_view.h"
+
+namespace penumbra {
+
+enum class ShadowKind : std::uint8_t { none, hard, area, parker };
+enum class Profile : std::uint8_t { cubic, sine, linear };
+enum class Composite : std::uint8_t { min, multiply, add };
+
+struct ShadowOptions {
+  ShadowKind kind = ShadowKind::parker;
+  int light_samples = 0;           ///< area: points a light, 0 = 64
+  std::optional<float> error;      ///< area: adaptive, until the standard error is below this
+  Profile profile = Profile::cubic;        ///< parker
+  Composite composite = Composite::min;    ///< parker
+  float tolerance = 0.02f;         ///< parker: allowed change of the visible fraction, 0 = exact
+  std::uint32_t seed = 0;
+};
+
+/// A point to be lit. `normal` bounds what can occlude: nothing on or below the plane through
+/// `position`.
+struct Receiver {
+  Vec3 position;
+  Vec3 normal;  ///< unit
+};
+
+/// The receiver of a surface: its smooth position and shading normal where it has vertex normals
+/// (so that facets of a smooth surface draw no stripes at the terminator), the geometric ones else.
+Receiver receiver_of(const Surface& surface);
+
+/// One point of a light as seen from a receiver.
+struct LightPoint {
+  Vec3 direction;     ///< unit, receiver to light point
+  float weight = 0;   ///< irradiance on a surface facing it, per unit radiance, of the whole light
+                      ///< as this point stands for it: the mean over points of weight · cos θ ·
+                      ///< radiance is the irradiance. (sun: radiance → irradiance; sphere, disk,
+                      ///< rect, mesh, segment: solid angle the light would have)
+  bool visible = false;
+};
+
+/// Seen by one receiver of one light.
+struct Visibility {
+  float fraction = 1;        ///< visible fraction in [0, 1]
+  float standard_error = 0;  ///< estimated; 0 for methods without sampling
+};
+
+/// Counters, one set a thread; add them up.
+struct ShadowCounts {
+  std::uint64_t rays = 0;         ///< Embree shadow rays
+  std::uint64_t cones = 0;        ///< clearance queries
+  std::uint64_t cone_nodes = 0;   ///< nodes that these opened
+  std::uint64_t cone_leaves = 0;  ///< leaves that these tested
+  ShadowCounts& operator+=(const ShadowCounts& b);
+};
+
+/// Immutable; every query is thread-safe. Keeps a reference to the world.
+class Shadows {
+ public:
+  Shadows(const World& world, const ShadowOptions& options);
+
+  const ShadowOptions& options() const { return options_; }
+  const World& world() const { return world_; }
+  /// True for area: radiance is summed over light_points() with the cosines inside; false: the
+  /// unshadowed light is multiplied by the visible fraction.
+  bool sums_light_points() const { return options_.kind == ShadowKind::area; }
+
+  /// The visible fraction of scene light `light` from a receiver. `stream` decorrelates sampled
+  /// methods: a number for the pixel and sample; the same number gives the same answer.
+  Visibility visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
+                        ShadowCounts& counts) const;
+
+  /// The same for area, with the light's points left in `points` (cleared first).
+  Visibility light_points(const Receiver& receiver, std::size_t light, std::uint64_t stream,
+                          std::vector<LightPoint>& points, ShadowCounts& counts) const;
+
+ private:
+  const World& world_;
+  ShadowOptions options_;
+};
+
+}  // namespace penumbra
