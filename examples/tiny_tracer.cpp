@@ -88,8 +88,8 @@ int main(int count, char** args) {
   std::ofstream out(count > 1 ? args[1] : "tiny_tracer.ppm", std::ios::binary);
   out << "P6 " << width << ' ' << height << " 255\n";
   for (int i = 0; i < width * height; ++i) {
-    const float x = (float(i % width) + 0.5f) / height - 0.75f,
-                y = 0.5f - float(i / width) / height;
+    const int row = i / width, column = i % width;
+    const float x = (float(column) + 0.5f) / height - 0.75f, y = 0.5f - float(row) / height;
     const Vec c = radiance(eye, unit({x, y - 0.3f, -1.1f}), diameter);
     for (float value : {c.x, c.y, c.z})
       out.put(char(255 * std::pow(std::min(value, 1.0f), 1 / 2.2f)));
