@@ -73,3 +73,18 @@ build() {
 
 # seconds_since START: START from `date +%s.%N`.
 seconds_since() { awk -v a="$1" -v b="$(date +%s.%N)" 'BEGIN { printf "%.1f s", b - a }'; }
+
+# render SCENE PICTURE [options…]: unless the picture is newer than the program and all scenes.
+render() {
+  scene=$1
+  picture=$2
+  shift 2
+  program=build/release/bin/penumbra
+  if [ -e "$picture" ] && [ -z "$(find "$program" "$scene" scenes -newer "$picture" -type f)" ]; then
+    say "$picture   (up to date)"
+    return 0
+  fi
+  start=$(date +%s.%N)
+  "$program" render "$scene" -o "$picture" --quiet "$@"
+  say "$picture   $(seconds_since "$start")"
+}
