@@ -5,19 +5,29 @@
 
 namespace penumbra {
 
-/// In this order: drops zero-area triangles (counted in the report); refuses NaN or infinite
-/// vertices, singular transforms and a scene without any triangle or sphere (InputError with
-/// `file`); applies the transform of meshes used once to their vertices, so that the instances that
-/// are left with a transform are true instances; splits instances whose material emits (factor, not
-/// texture alone) into connected parts and adds a mesh light for each.
+/// In this order: refuses vertices, spheres and transforms that are not finite or reach beyond 1e9
+/// m, and singular transforms (InputError with `file`); gives emissive instances a mesh of their
+/// own; applies the transform of meshes used once to their vertices, so that the instances left
+/// with a transform are true instances; drops triangles without area (counted in the report), then
+/// instances and meshes that have none left; refuses a scene without any triangle or sphere; splits
+/// instances whose material emits (factor, not texture alone) into connected parts and adds a mesh
+/// light for each, named after the mesh.
+///
+/// Afterwards indices of meshes, instances and materials agree, every mesh is used, normals are
+/// unit vectors and texture coordinates finite. Where a transform that mirrors is applied, the
+/// winding is turned so that the front stays the front. An instance that keeps one (determinant <
+/// 0) has its front where the winding in the mesh frame says: cross(M e, M f) points to the back
+/// there.
 void finish_scene(Scene& scene, const std::string& file);
 
 /// Adds a framing camera if there is none and a soft key light near the camera's side if there is
-/// no light; says so in the report.
+/// no light, placed by the scene's bounds and, if the file has a camera, beside that one; says so
+/// in the report. Call after finish_scene. Light on what faces it at the scene's centre: irradiance
+/// π.
 void add_missing_camera_and_light(Scene& scene);
 
 /// Groups triangles by shared vertex positions: for each triangle the number of its connected part,
-/// parts numbered from 0 in order of first triangle.
+/// parts numbered from 0 in order of first triangle. Expected time linear in the mesh's size.
 std::vector<std::uint32_t> connected_parts(const Mesh& mesh);
 
 }  // namespace penumbra
