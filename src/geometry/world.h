@@ -7,29 +7,10 @@
 
 #include "base/affine.h"
 #include "base/vec.h"
+#include "geometry/hit.h"
 #include "scene/scene.h"
 
 namespace penumbra {
-
-/// Origin, unit direction, and how far it reaches.
-struct Ray {
-  Vec3 origin;
-  Vec3 direction;
-  float t_max = INFINITY;
-};
-
-/// A triangle of an instance, or a sphere.
-struct PrimitiveId {
-  static constexpr std::uint32_t none = 0xffffffffu;
-  std::uint32_t instance = none;  ///< into Scene::instances; or instances.size() + sphere index
-  std::uint32_t triangle = 0;     ///< of the mesh; 0 for a sphere
-};
-
-struct Hit {
-  float t = 0;
-  float b1 = 0, b2 = 0;  ///< barycentric weights of the triangle's second and third vertex
-  PrimitiveId primitive;
-};
 
 /// What shading needs to know about a hit.
 struct Surface {
@@ -43,8 +24,8 @@ struct Surface {
   std::uint32_t material = 0;
   std::uint32_t object = 0;
   PrimitiveId primitive;
-  bool front = true;     ///< seen from the side the winding says
-  bool smooth = false;   ///< has vertex normals, or is a sphere
+  bool front = true;    ///< seen from the side the winding says
+  bool smooth = false;  ///< has vertex normals, or is a sphere
 };
 
 class ConeTree;
@@ -80,7 +61,6 @@ class World {
  private:
   const Scene& scene_;
   Bounds bounds_;
-  float magnitude_ = 0;  ///< largest absolute coordinate of the geometry's size
   std::unique_ptr<EmbreeScene> embree_;
   std::unique_ptr<ConeTree> cone_tree_;
 };

@@ -1,0 +1,193 @@
+#include "geometry/cone_tree.h"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/cone_tree_data.h"
+#include "geometry/wide_builder.h"
+
+namespace penumbra {
+namespace {
+
+Bounds triangle_bounds(const Vec3* p) {
+  Bounds b;
+  for (int i = 0; i < 3; ++i) b.grow(p[i]);
+  return b;
+}
+
+void triangle_corners(const Mesh& mesh, std::uint32_t triangle, const Affine& to, Vec3* out) {
+  const bool moved = !to.is_identity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& p = mesh.positions[mesh.indices[std::size_t{3} * triangle + i]];
+    out[i] = moved ? to.point(p) : p;
+  }
+}
+
+class Builder {
+ public:
+  explicit Builder(ConeTree::Data& data) : data_(data), scene_(*data.scene) {}
+
+  void build() {
+    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
+    for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
+      const Sphere& s = scene_.spheres[i];
+      const Vec3 r(s.radius);
+      primitives_.push_back({{s.center - r, s.center + r}, ChildKind::spheres, i});
+    }
+    data_.ranges.push_back({next_id_, PrimitiveNone});
+    const PackLeaf pack = [this](ChildKind kind, const std::uint32_t* indices, int count) {
+      return pack_leaf(kind, indices, count);
+    };
+    data_.root = build_wide_tree(primitives_, data_.nodes, pack);
+    for (const BuildPrimitive& p : primitives_) data_.bounds.grow(p.bounds);
+    data_.nodes.shrink_to_fit(), data_.triangles.shrink_to_fit();
+  }
+
+ private:
+  static constexpr std::uint32_t PrimitiveNone = 0xffffffffu;
+
+  void add_instance(std::uint32_t index) {
+    const Instance& instance = scene_.instances[index];
+    if (data_.masks.find(instance.material)) return add_cut_outs(index);
+    // A similarity keeps circular cones circular; any other map is applied to the vertices.
+    if (!instance.world_from_mesh.is_identity() && is_similarity(instance.world_from_mesh))
+      return add_placement(index);
+    const Mesh& mesh = scene_.meshes[instance.mesh];
+    data_.ranges.push_back({next_id_, index});
+    primitives_.reserve(primitives_.size() + mesh.triangle_count());
+    for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+      Vec3 p[3];
+      triangle_corners(mesh, t, instance.world_from_mesh, p);
+      primitives_.push_back({triangle_bounds(p), ChildKind::triangles, next_id_++});
+    }
+  }
+
+  void add_cut_outs(std::uint32_t index) {
+    const Instance& instance = scene_.instances[index];
+    const Mesh& mesh = scene_.meshes[instance.mesh];
+    const auto scale =
+        static_cast<float>(std::cbrt(std::abs(instance.world_from_mesh.determinant())));
+    for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+      CutOut cut{{}, index, t, scale};
+      triangle_corners(mesh, t, instance.world_from_mesh, cut.position);
+      primitives_.push_back({triangle_bounds(cut.position), ChildKind::cut_out,
+                             static_cast<std::uint32_t>(data_.cut_outs.size())});
+      data_.cut_outs.push_back(cut);
+    }
+  }
+
+  void add_placement(std::uint32_t index) {
+    const Instance& instance = scene_.instances[index];
+    const Affine& m = instance.world_from_mesh;
+    const Child root = subtree(instance.mesh);
+    if (root.kind() == ChildKind::none) return;
+    primitives_.push_back({bounds_of(scene_, instance), ChildKind::placement,
+                           static_cast<std::uint32_t>(data_.placements.size())});
+    data_.placements.push_back({root, index, inverse(m), static_cast<float>(1 / length(m.x))});
+  }
+
+  Child subtree(std::uint32_t mesh_index) {
+    const auto [known, is_new] = subtrees_.try_emplace(mesh_index);
+    if (!is_new) return known->second;
+    const Mesh& mesh = scene_.meshes[mesh_index];
+    std::vector<BuildPrimitive> primitives;
+    for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+      Vec3 p[3];
+      triangle_corners(mesh, t, {}, p);
+      primitives.push_back({triangle_bounds(p), ChildKind::triangles, t});
+    }
+    const PackLeaf pack = [&](ChildKind, const std::uint32_t* ids, int count) {
+      return pack_triangles(ids, count,
+                            [&](std::uint32_t id, Vec3* p) { triangle_corners(mesh, id, {}, p); });
+    };
+    return known->second = build_wide_tree(primitives, data_.nodes, pack);
+  }
+
+  Child pack_leaf(ChildKind kind, const std::uint32_t* indices, int count) {
+    if (kind == ChildKind::spheres) return pack_spheres(indices, count);
+    if (kind != ChildKind::triangles) return Child::of(kind, indices[0]);
+    return pack_triangles(indices, count, [this](std::uint32_t id, Vec3* p) {
+      const auto after = std::upper_bound(
+          data_.ranges.begin(), data_.ranges.end(), id,
+          [](std::uint32_t value, const TriangleRange& r) { return value < r.first; });
+      const Instance& instance = scene_.instances[std::prev(after)->instance];
+      triangle_corners(scene_.meshes[instance.mesh], id - std::prev(after)->first,
+                       instance.world_from_mesh, p);
+    });
+  }
+
+  template <class Corners>
+  Child pack_triangles(const std::uint32_t* ids, int count, const Corners& corners) {
+    TriangleLeaf leaf;
+    for (int lane = 0; lane < tree_width; ++lane) {
+      Vec3 p[3];
+      leaf.id[lane] = ids[lane < count ? lane : 0];
+      corners(leaf.id[lane], p);
+      for (int v = 0; v < 3; ++v)
+        for (int axis = 0; axis < 3; ++axis) leaf.position[v][axis][lane] = p[v][axis];
+    }
+    data_.triangles.push_back(leaf);
+    return Child::of(ChildKind::triangles, data_.triangles.size() - 1);
+  }
+
+  Child pack_spheres(const std::uint32_t* indices, int count) {
+    SphereLeaf leaf;
+    for (int lane = 0; lane < tree_width; ++lane) {
+      const Sphere& s = scene_.spheres[indices[lane < count ? lane : 0]];
+      for (int axis = 0; axis < 3; ++axis) leaf.center[axis][lane] = s.center[axis];
+      leaf.radius[lane] = s.radius;
+      leaf.object[lane] = s.object;
+    }
+    data_.spheres.push_back(leaf);
+    return Child::of(ChildKind::spheres, data_.spheres.size() - 1);
+  }
+
+  ConeTree::Data& data_;
+  const Scene& scene_;
+  std::vector<BuildPrimitive> primitives_;
+  std::map<std::uint32_t, Child> subtrees_;
+  std::uint32_t next_id_ = 0;
+};
+
+template <class T>
+std::size_t bytes(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+std::uint32_t ConeTree::Data::instance_of(std::uint32_t id) const {
+  const auto after =
+      std::upper_bound(ranges.begin(), ranges.end(), id,
+                       [](std::uint32_t v, const TriangleRange& r) { return v < r.first; });
+  return std::prev(after)->instance;
+}
+
+std::pair<std::uint32_t, std::uint32_t> ConeTree::Data::range_of(int instance) const {
+  for (std::size_t i = 0; i + 1 < ranges.size(); ++i)
+    if (instance >= 0 && ranges[i].instance == static_cast<std::uint32_t>(instance))
+      return {ranges[i].first, ranges[i + 1].first};
+  return {0, 0};
+}
+
+void build_cone_tree(ConeTree::Data& data) { Builder(data).build(); }
+
+ConeTree::ConeTree(const Scene& scene) : data_(std::make_unique<Data>(scene)) {
+  build_cone_tree(*data_);
+}
+
+ConeTree::~ConeTree() = default;
+
+std::size_t ConeTree::memory_bytes() const {
+  return bytes(data_->nodes) + bytes(data_->triangles) + bytes(data_->spheres) +
+         bytes(data_->placements) + bytes(data_->cut_outs) + bytes(data_->ranges);
+}
+
+SearchLimit SearchLimit::exact() {
+  SearchLimit limit;
+  for (int i = 0; i < size; ++i)
+    limit.fraction[static_cast<std::size_t>(i)] = static_cast<float>(i + 1) / size;
+  return limit;
+}
+
+}  // namespace penumbra

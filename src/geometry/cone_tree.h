@@ -1,0 +1,84 @@
+// The least clearance of a ray: our own wide tree, asked with a cone.
+//
+// Clearance is the least of (distance of p from the ray) / (distance along the ray to p's foot)
+// over all points p of the occluders: what Parker, Shirley and Smits (1998, Appendix) compute for
+// one sphere as (d − R) / t₀. A cone round the ray against a box costs what a ray costs: with
+// half-angle tangent k its extent along axis i at distance t is t (v_i ± k √(1 − v_i²)), so each
+// slab bounds t by one division. The cone shrinks to the least clearance found so far; no box is
+// ever expanded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/alpha_mask.h"
+#include "scene/scene.h"
+
+namespace penumbra {
+
+/// What may be left out, as a function of the best answer so far.
+///
+/// Entry i belongs to a best clearance of (i … i+1) / size of the outer one: nothing closer to that
+/// than entry i (as a fraction of the outer clearance too) need be found. All entries at the upper
+/// end of their interval make the answer exact.
+struct SearchLimit {
+  static constexpr int size = 256;
+  std::array<float, size> fraction;
+  float whole = 0;  ///< a subtree whose clearance is known to this fraction counts as a whole
+
+  static SearchLimit exact();
+};
+
+struct ConeQuery {
+  Vec3 origin;
+  Vec3 direction;             ///< unit
+  float distance = INFINITY;  ///< to the light; occluders beyond do not count
+  float outer = 0;            ///< clearance from which on nothing matters, > 0: D / A
+  Vec3 horizon;       ///< unit normal at the origin: what is not above this plane is no occluder
+  float epsilon = 0;  ///< metres above the plane that still lie on it
+  bool has_plane = false;      ///< a flat light's plane: what is not in front of it is no occluder
+  Vec3 plane_normal;           ///< unit, towards the origin
+  float plane_distance = 0;    ///< of the origin in front of it, metres
+  float plane_epsilon = 0;     ///< metres in front of it that still lie on it
+  int excluded_instance = -1;  ///< no occluder
+};
+
+struct ConeCounts {
+  std::uint64_t nodes = 0, leaves = 0;
+};
+
+/// The least clearance for one object.
+struct ObjectClearance {
+  std::uint32_t object;
+  float clearance;
+};
+
+/// Immutable once built; queries are thread-safe. Refers to the scene.
+class ConeTree {
+ public:
+  explicit ConeTree(const Scene& scene);
+  ~ConeTree();
+  ConeTree(const ConeTree&) = delete;
+  ConeTree& operator=(const ConeTree&) = delete;
+
+  /// The least clearance below query.outer, 0 if the ray itself is blocked, query.outer if there is
+  /// none. Checks nothing.
+  float least_clearance(const ConeQuery& query, const SearchLimit& limit, ConeCounts& counts) const;
+
+  /// For every object that has one the least clearance below query.outer, exactly; stops early if
+  /// the ray is blocked. `out` is cleared first.
+  void object_clearances(const ConeQuery& query, std::vector<ObjectClearance>& out,
+                         ConeCounts& counts) const;
+
+  std::size_t memory_bytes() const;
+
+  struct Data;  ///< nodes and leaves: cone_tree_data.h
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace penumbra

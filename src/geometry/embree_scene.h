@@ -1,0 +1,62 @@
+// Rays against the scene's surfaces, through Embree.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/alpha_mask.h"
+#include "geometry/embree_shim.h"
+#include "geometry/hit.h"
+#include "scene/scene.h"
+
+namespace penumbra {
+
+/// A shadow ray: what lies strictly between t_min and t_max along a unit direction.
+struct ShadowRay {
+  Vec3 origin;
+  Vec3 direction;
+  float t_min = 0;
+  float t_max = INFINITY;
+};
+
+/// Owns Embree's device and scenes. Immutable once built; queries are thread-safe.
+class EmbreeScene {
+ public:
+  explicit EmbreeScene(const Scene& scene);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  std::optional<Hit> intersect(const Ray& ray) const;
+
+  /// Whether anything but instance `excluded` (−1: nothing is excluded) blocks the ray.
+  bool occluded(const ShadowRay& ray, int excluded = -1) const;
+
+  /// The same for many rays from one origin; blocked[i] is set to 1 or 0. Traced in packets, which
+  /// pays for rays to the points of one light.
+  void occluded(std::span<const ShadowRay> rays, int excluded, std::uint8_t* blocked) const;
+
+  /// Embree's own memory in bytes, as its device reports it.
+  std::size_t memory_bytes() const;
+  RTCScene handle() const { return top_; }
+
+ private:
+  RTCGeometry make_triangles(const Instance& instance);
+  void attach(std::uint32_t instance_index);
+  void attach_spheres();
+  RTCScene scene_of(const Instance& instance);
+
+  const Scene& scene_;
+  AlphaMasks masks_;
+  RTCDevice device_ = nullptr;
+  RTCScene top_ = nullptr;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, RTCScene> shared_;  ///< by mesh and material
+  std::vector<std::unique_ptr<MaskedMesh>> masked_;
+  std::atomic<std::ptrdiff_t> bytes_{0};
+};
+
+}  // namespace penumbra
