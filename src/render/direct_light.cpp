@@ -55,6 +55,9 @@ void set_spot(const Light& light, float& scale, float& offset) {
   offset = -light.spot_cos_outer * scale;
 }
 
+/// Squared distance of a point light; what is nearer than a micrometre counts as that far.
+float point_distance2(const Vec3& to) { return std::max(dot(to, to), 1e-12f); }
+
 float smoothstep(float x) {
   const float s = std::clamp(x, 0.0f, 1.0f);
   return s * s * (3 - 2 * s);
@@ -146,8 +149,7 @@ float DirectLight::irradiance(std::size_t light, const Vec3& position, const Vec
   const Vec3 to = s.position - position;
   switch (s.type) {
     case LightType::point: {
-      const float d2 = dot(to, to), d = std::sqrt(d2);
-      if (!(d2 > 0)) return 0;
+      const float d2 = point_distance2(to), d = std::sqrt(d2);
       const float spot = smoothstep(-dot(s.normal, to) / d * s.spot_scale + s.spot_offset);
       return spot * std::max(0.0f, dot(normal, to)) / (d2 * d);
     }
@@ -231,7 +233,7 @@ Glossy DirectLight::glossy(std::size_t light, const ShadingPoint& point) const {
   if (is_delta) {
     const Vec3 l = s.type == LightType::sun ? s.normal : d2 > 0 ? to / std::sqrt(d2) : point.normal;
     const float spot = smoothstep(-dot(s.normal, l) * s.spot_scale + s.spot_offset);
-    const float strength = s.type == LightType::sun ? 1 : d2 > 0 ? spot / d2 : 0;
+    const float strength = s.type == LightType::sun ? 1 : spot / point_distance2(to);
     const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
     return ggx(point.alpha * point.alpha, nv, dot(point.normal, l), dot(point.to_viewer, l)) *
            strength;

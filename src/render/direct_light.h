@@ -7,7 +7,7 @@
 
 #include "render/cone_irradiance.h"
 #include "render/ggx.h"
-#include "render/light_points.h"
+#include "render/light_patches.h"
 #include "render/shading_point.h"
 #include "scene/scene.h"
 
@@ -15,7 +15,7 @@ namespace penumbra {
 
 /// The lights of a scene, made ready for shading; immutable, thread-safe, no allocation per query.
 /// Light is never infinite: a point on or inside a light gets at most what a half space of its
-/// radiance gives, and nothing from the centre of a point light.
+/// radiance gives, and a point light is at least a micrometre away.
 ///
 /// One-sided: disk, rect and single-sided mesh lights give nothing behind them. The lights of a
 /// mesh are its front faces; of a closed double-sided mesh too, since its inside is not seen.

@@ -1,4 +1,4 @@
-#include "render/light_points.h"
+#include "render/light_patches.h"
 
 #include <numbers>
 
