@@ -53,7 +53,8 @@ TEST(DirectLight, AMeshOfAQuadIsTheRect) {
   add_mesh_light(scene, corner, u, v, 1);
   add_mesh_light(scene, corner, u, v, 5);
   add_mesh_light(scene, corner, u, v, 12);
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   for (const Vec3& n : {Vec3{0, 1, 0}, normalize(Vec3{1, 0.5f, 0}), normalize(Vec3{0, -0.1f, 1})}) {
     const Vec3 p{0.3f, 0.1f, -0.4f};
     const float rect = lights.irradiance(0, p, n, Horizon::exact);
@@ -74,7 +75,8 @@ TEST(DirectLight, OneSidedLightsGiveNothingBehind) {
   scene.lights.push_back(disk);
   add_mesh_light(scene, corner, edge_u, edge_v, 1);
   scene.lights.back().double_sided = true;
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   const Vec3 n = scene.lights[0].normal, middle = scene.lights[0].position;
   ShadingPoint glossy;
   glossy.position = middle - n;
@@ -102,7 +104,8 @@ TEST(DirectLight, AClosedDoubleSidedMeshLightsOnceOnly) {
   scene.meshes.push_back(box);
   scene.instances.emplace_back();
   scene.lights = {light, rect_light({-0.5f, 2.5f, -0.5f}, {1, 0, 0}, {0, 0, 1})};
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   EXPECT_NEAR(lights.irradiance(0, {0, 0, 0}, {0, 1, 0}, Horizon::exact),
               lights.irradiance(1, {0, 0, 0}, {0, 1, 0}, Horizon::exact), 1e-5f);
 }
@@ -116,7 +119,8 @@ TEST(DirectLight, ASunGivesItsIrradianceWhereItStandsOverhead) {
     sun.angular_diameter = degrees * pi / 180;
     scene.lights.push_back(sun);
   }
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   for (std::size_t i : {0, 1, 2}) {
     EXPECT_NEAR(lights.irradiance(i, {}, {0, 1, 0}, Horizon::exact), 1, 1e-4f);
     EXPECT_NEAR(lights.irradiance(i, {}, normalize(Vec3{1, 1, 0}), Horizon::exact), std::sqrt(0.5f),
@@ -133,7 +137,8 @@ TEST(DirectLight, ASpotIsFullInsideAndNothingOutside) {
   spot.spot_cos_inner = std::cos(0.3f);
   spot.spot_cos_outer = std::cos(0.5f);
   scene.lights.push_back(spot);
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   const Vec3 up{0, 1, 0};
   EXPECT_NEAR(lights.irradiance(0, {0, 0, 0}, up, Horizon::exact), 0.25f, 1e-6f);
   const float c = std::cos(0.25f);
@@ -168,7 +173,8 @@ TEST(DirectLight, GlossyPointsComeCloseToTheIntegral) {
   light.position = {0.4f, 2, 0.3f};
   light.radius = 0.5f;
   scene.lights.push_back(light);
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   for (float alpha : {0.1f, 0.3f, 0.8f})
     for (float x : {0.0f, 0.5f, 1.5f}) {
       ShadingPoint p;
@@ -192,7 +198,7 @@ TEST(DirectLight, SmoothReflectionOfALightShowsItsRadiance) {
   ShadingPoint p;
   p.normal = p.to_viewer = {0, 1, 0};
   p.alpha = 0.002f;
-  EXPECT_NEAR(DirectLight(scene).glossy(0, p).f0, 1, 0.1f);
+  EXPECT_NEAR(DirectLight(LightViews(scene)).glossy(0, p).f0, 1, 0.1f);
 }
 
 TEST(DirectLight, IsFiniteAtAndInsideLights) {
@@ -207,7 +213,8 @@ TEST(DirectLight, IsFiniteAtAndInsideLights) {
     scene.lights.push_back(light);
   }
   scene.lights.push_back(rect_light({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}));
-  const DirectLight lights(scene);
+  const LightViews views(scene);
+  const DirectLight lights(views);
   for (std::size_t i = 0; i < lights.size(); ++i)
     for (const Vec3& at : {Vec3{0, 0, 0}, Vec3{0.5f, 0, 0}, Vec3{0, 1e-20f, 0}, Vec3{0, 0.1f, 0}})
       for (const Vec3& n : {Vec3{0, 1, 0}, Vec3{0, -1, 0}, Vec3{1, 0, 0}}) {
