@@ -79,7 +79,7 @@ render() {
   scene=$1
   picture=$2
   shift 2
-  program=build/release/bin/penumbra
+  program=${PENUMBRA_PROGRAM:-build/release/bin/penumbra}
   if [ -e "$picture" ] && [ -z "$(find "$program" "$scene" scenes -newer "$picture" -type f)" ]; then
     say "$picture   (up to date)"
     return 0
