@@ -66,8 +66,7 @@ void write_file(const std::string& path, const std::string& contents) {
 
 std::string read_file(const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error))
-    throw InputError({path}, "this is a folder", "name a file");
+  if (fs::is_directory(path, error)) throw InputError({path}, "this is a folder", "name a file");
   File in(std::fopen(path.c_str(), "rb"));
   if (!in)
     throw InputError({path}, "cannot be read (" + reason() + ")", "check the name and its rights");

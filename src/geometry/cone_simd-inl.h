@@ -47,7 +47,7 @@ HWY_INLINE std::uint32_t bits_of(Bools m) {
 
 /// What a node's children promise.
 struct ChildTest {
-  std::uint32_t hits = 0;  ///< a bit per child that the cone may touch
+  std::uint32_t hits = 0;             ///< a bit per child that the cone may touch
   HWY_ALIGN float order[tree_width];  ///< the smaller, the sooner it is worth a look
   HWY_ALIGN float least[tree_width];  ///< no point of the child has a smaller clearance
 };
@@ -107,9 +107,9 @@ HWY_INLINE Floats side_clearance(const Point& a, const Point& b) {
   const Floats along_a = hn::MulSub(a.y, nx, hn::Mul(a.x, ny));
   const Floats along_b = hn::MulSub(b.y, nx, hn::Mul(b.x, ny));
   const Floats across = hn::MulAdd(nx, nx, hn::Mul(ny, ny));
-  const Bools between = hn::And(hn::Xor(hn::Lt(along_a, hn::Zero(Lanes())),
-                                        hn::Lt(along_b, hn::Zero(Lanes()))),
-                                hn::Gt(across, hn::Zero(Lanes())));
+  const Bools between =
+      hn::And(hn::Xor(hn::Lt(along_a, hn::Zero(Lanes())), hn::Lt(along_b, hn::Zero(Lanes()))),
+              hn::Gt(across, hn::Zero(Lanes())));
   return hn::IfThenElse(between, hn::Div(hn::Abs(nz), hn::Sqrt(across)), all(infinite));
 }
 

@@ -49,12 +49,18 @@ class Walk {
   // True if the cone became narrower.
   bool visit(Child child, const ConeQuery& world) {
     switch (child.kind()) {
-      case ChildKind::node: return open(data_.nodes[child.index()]);
-      case ChildKind::triangles: return look(data_.triangles[child.index()]);
-      case ChildKind::spheres: return look(data_.spheres[child.index()]);
-      case ChildKind::placement: return enter(data_.placements[child.index()], world);
-      case ChildKind::cut_out: return look(data_.cut_outs[child.index()]);
-      case ChildKind::none: break;
+      case ChildKind::node:
+        return open(data_.nodes[child.index()]);
+      case ChildKind::triangles:
+        return look(data_.triangles[child.index()]);
+      case ChildKind::spheres:
+        return look(data_.spheres[child.index()]);
+      case ChildKind::placement:
+        return enter(data_.placements[child.index()], world);
+      case ChildKind::cut_out:
+        return look(data_.cut_outs[child.index()]);
+      case ChildKind::none:
+        break;
     }
     return false;
   }
