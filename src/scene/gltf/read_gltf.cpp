@@ -3,7 +3,7 @@
 
 #include <map>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "scene/gltf/cameras.h"
 #include "scene/gltf/document.h"
@@ -30,7 +30,7 @@ class Builder {
   void add_node(std::size_t node);
 
  private:
-  std::optional<std::uint32_t> mesh(std::size_t mesh, std::size_t primitive, bool mirrored);
+  std::optional<std::uint32_t> mesh(std::size_t mesh, std::size_t primitive);
   std::uint32_t material(const tinygltf::Primitive& primitive);
   void add_instance(std::size_t node, std::uint32_t mesh, const tinygltf::Primitive& primitive);
   void add_object(std::size_t node);
@@ -38,15 +38,15 @@ class Builder {
   Document& document_;
   const NodeTree& tree_;
   Scene& scene_;
-  /// By glTF mesh, primitive and mirroring; no value: it has no triangles.
-  std::map<std::tuple<std::size_t, std::size_t, bool>, std::optional<std::uint32_t>> meshes_;
+  /// By glTF mesh and primitive; no value: it has no triangles.
+  std::map<std::pair<std::size_t, std::size_t>, std::optional<std::uint32_t>> meshes_;
   std::optional<std::uint32_t> default_material_;
 };
 
-std::optional<std::uint32_t> Builder::mesh(std::size_t mesh, std::size_t primitive, bool mirrored) {
-  const auto [it, is_new] = meshes_.try_emplace({mesh, primitive, mirrored});
+std::optional<std::uint32_t> Builder::mesh(std::size_t mesh, std::size_t primitive) {
+  const auto [it, is_new] = meshes_.try_emplace(std::pair(mesh, primitive));
   if (!is_new) return it->second;
-  if (auto read = read_primitive(document_, mesh, primitive, mirrored)) {
+  if (auto read = read_primitive(document_, mesh, primitive)) {
     it->second = static_cast<std::uint32_t>(scene_.meshes.size());
     scene_.meshes.push_back(std::move(*read));
   }
@@ -92,11 +92,10 @@ void Builder::add_node(std::size_t i) {
   if (node.skin >= 0)
     document_.warnings().add("skins are left out: the mesh is shown as modelled",
                              node_name(document_, i));
-  const bool mirrored = tree_.world_from_node[i].determinant() < 0;
   const auto index = static_cast<std::size_t>(node.mesh);
   const auto& primitives = document_.model().meshes[index].primitives;
   for (std::size_t k = 0; k < primitives.size(); ++k)
-    if (const auto m = mesh(index, k, mirrored)) add_instance(i, *m, primitives[k]);
+    if (const auto m = mesh(index, k)) add_instance(i, *m, primitives[k]);
 }
 
 }  // namespace
