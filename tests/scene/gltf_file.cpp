@@ -1,6 +1,8 @@
 #include "scene/gltf_file.h"
 
-#include "base/atomic_file.h"
+#include <filesystem>
+#include <fstream>
+
 #include "base/error.h"
 #include "scene/load.h"
 #include "support/temporary_folder.h"
@@ -94,15 +96,21 @@ std::string bare(const std::string& members) {
   return R"({"asset":{"version":"2.0"},)" + members + "}";
 }
 
+void write(const std::string& path, const std::string& contents) {
+  // Some file systems wait for the disk when a file is written over.
+  std::filesystem::remove(path);
+  std::ofstream(path, std::ios::binary) << contents;
+}
+
 Scene read(const std::string& contents, const std::string& name) {
   const TemporaryFolder folder;
-  write_file(folder / name, contents);
+  write(folder / name, contents);
   return read_gltf(folder / name);
 }
 
 std::string error_of(const std::string& contents, const std::string& name) {
   const TemporaryFolder folder;
-  write_file(folder / name, contents);
+  write(folder / name, contents);
   try {
     read_gltf(folder / name);
   } catch (const Error& e) {

@@ -52,6 +52,9 @@ std::string triangle_with(const std::string& members, const std::string& primiti
 /// A document without geometry.
 std::string bare(const std::string& members);
 
+/// Writes a file, without the care of write_file, which waits for the disk.
+void write(const std::string& path, const std::string& contents);
+
 /// What read_gltf makes of a file with these contents.
 Scene read(const std::string& contents, const std::string& name = "a.gltf");
 

@@ -1,7 +1,6 @@
 // glTF: materials and textures.
 #include <gmock/gmock.h>
 
-#include "base/atomic_file.h"
 #include "scene/gltf/mirror.h"
 #include "scene/gltf/uri.h"
 #include "scene/gltf_file.h"
@@ -138,15 +137,15 @@ TEST(GltfTexture, DecodesImagesInTheBinaryChunk) {
 
 TEST(GltfTexture, ReadsFilesBesideTheDocument) {
   const test::TemporaryFolder folder;
-  write_file(folder / "a + b.bmp", red_pixel());
-  write_file(folder / "tri.bin", std::string(36, '\0') + "more than is asked for");
-  write_file(folder / "a.gltf",
-             R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"tri.bin"}],)"
-             R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)"
-             R"("componentType":5126,"count":3,"type":"VEC3"}],"materials":[{)"
-             R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],)"
-             R"("textures":[{"source":0}],"images":[{"uri":"a%20+%20b.bmp"}],)" +
-                 test::one_node(R"({"attributes":{"POSITION":0},"material":0})") + "}");
+  test::write(folder / "a + b.bmp", red_pixel());
+  test::write(folder / "tri.bin", std::string(36, '\0') + "more than is asked for");
+  test::write(folder / "a.gltf",
+              R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"tri.bin"}],)"
+              R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)"
+              R"("componentType":5126,"count":3,"type":"VEC3"}],"materials":[{)"
+              R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],)"
+              R"("textures":[{"source":0}],"images":[{"uri":"a%20+%20b.bmp"}],)" +
+                  test::one_node(R"({"attributes":{"POSITION":0},"material":0})") + "}");
   const Scene scene = read_gltf(folder / "a.gltf");
   EXPECT_EQ(scene.meshes.at(0).positions.size(), 3u);
   EXPECT_THAT(scene.textures.at(0).rgba, ElementsAre(255, 0, 0, 255));

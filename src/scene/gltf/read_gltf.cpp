@@ -21,6 +21,20 @@ namespace {
 /// Every node may use a mesh of any number of primitives: a short file could ask for billions.
 constexpr std::size_t kMostInstances = 4'000'000;
 
+void check_instance_count(const Document& document, const NodeTree& tree) {
+  const tinygltf::Model& model = document.model();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (!tree.in_scene[i] || model.nodes[i].mesh < 0) continue;
+    count += model.meshes[static_cast<std::size_t>(model.nodes[i].mesh)].primitives.size();
+    if (count > kMostInstances)
+      throw document.json().error(
+          fmt::format("nodes[{}]", i),
+          fmt::format("the scene has more than {} instances", kMostInstances),
+          "join meshes before exporting");
+  }
+}
+
 /// Fills meshes, instances and objects of a scene from the nodes.
 class Builder {
  public:
@@ -65,11 +79,6 @@ std::uint32_t Builder::material(const tinygltf::Primitive& primitive) {
 
 void Builder::add_instance(std::size_t node, std::uint32_t mesh,
                            const tinygltf::Primitive& primitive) {
-  if (scene_.instances.size() == kMostInstances)
-    throw document_.json().error(
-        fmt::format("nodes[{}]", node),
-        fmt::format("the scene has more than {} instances", kMostInstances),
-        "join meshes before exporting");
   Instance instance;
   instance.mesh = mesh;
   instance.material = material(primitive);
@@ -104,6 +113,7 @@ void Builder::add_node(std::size_t i) {
 Scene read_gltf(const std::string& path) {
   gltf::Document document(path);
   const gltf::NodeTree tree = gltf::node_tree(document);
+  gltf::check_instance_count(document, tree);
   Scene scene;
   scene.report.format = document.json().source().binary() ? "glTF 2.0 (binary)" : "glTF 2.0 (text)";
   gltf::Textures textures(document);
