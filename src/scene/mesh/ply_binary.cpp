@@ -181,7 +181,7 @@ std::uint64_t read_ply_binary(const std::string& file, std::string_view contents
     } else if (e == layout.face_element && layout.vertex_element < e) {
       too_small = read_faces(cursor, element, layout, mesh);
     } else {
-      if (e == layout.face_element) faces_before_vertices = cursor;
+      if (e == layout.face_element) faces_before_vertices.emplace(cursor);
       skip_element(cursor, element);
     }
   }
