@@ -49,7 +49,7 @@ class DirectLight {
     std::array<Vec3, 4> corners;            ///< rect; segment: its ends in the first two
     float stretch = 1;                      ///< a patch's squared length over its area
     bool double_sided = false;              ///< mesh
-    std::vector<WorldTriangle> triangles;   ///< mesh of few triangles
+    std::vector<LightFace> faces;           ///< mesh of few faces
     std::vector<LightPatch> patches;        ///< flat lights, segments, meshes
     std::vector<LightPatch> fine_patches;   ///< mesh of many faces
   };
