@@ -12,48 +12,17 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr int glossy_points = 32;
 constexpr int mesh_points = 128;
-constexpr std::size_t few_triangles = 64;
+constexpr std::size_t few_faces = 64;
 constexpr float delta_sin2 = 1e-12f;  ///< below it a cone is one direction
-
-std::vector<WorldTriangle> world_triangles(const Scene& scene, const Instance& instance) {
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const Affine& m = instance.world_from_mesh;
-  const bool mirrored = m.determinant() < 0;
-  std::vector<WorldTriangle> triangles;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return m.point(mesh.positions[mesh.indices[i + k]]); };
-    triangles.push_back({at(0), at(mirrored ? 2 : 1), at(mirrored ? 1 : 2)});
-  }
-  return triangles;
-}
-
-/// What tells a closed surface from an open one, and its inside from its outside.
-struct Closure {
-  Vec3d vector_area;
-  double area = 0, volume = 0;
-
-  bool closed() const { return length(vector_area) < 1e-3 * area; }
-};
-
-Closure closure_of(const std::vector<WorldTriangle>& triangles) {
-  Closure sum;
-  if (triangles.empty()) return sum;
-  const Vec3d origin(triangles[0].a);
-  for (const WorldTriangle& t : triangles) {
-    const Vec3d a = Vec3d(t.a) - origin, b = Vec3d(t.b) - origin, c = Vec3d(t.c) - origin;
-    const Vec3d n = cross(b - a, c - a) * 0.5;
-    sum.vector_area += n;
-    sum.area += length(n);
-    sum.volume += dot(a, n) / 3;
-  }
-  return sum;
-}
 
 void set_spot(const Light& light, float& scale, float& offset) {
   if (light.spot_cos_outer <= -1) return;
   scale = 1.0f / std::max(1e-4f, light.spot_cos_inner - light.spot_cos_outer);
   offset = -light.spot_cos_outer * scale;
 }
+
+/// Squared distance of a point light; what is nearer than a micrometre counts as that far.
+float point_distance2(const Vec3& to) { return std::max(dot(to, to), 1e-12f); }
 
 float smoothstep(float x) {
   const float s = std::clamp(x, 0.0f, 1.0f);
@@ -80,18 +49,19 @@ float patches_irradiance(const std::vector<LightPatch>& patches, bool double_sid
 
 }  // namespace
 
-DirectLight::DirectLight(const Scene& scene) : spiral_(vogel_spiral(glossy_points)) {
-  for (const Light& light : scene.lights) lights_.push_back(source_of(scene, light));
+DirectLight::DirectLight(const LightViews& views) : spiral_(vogel_spiral(glossy_points)) {
+  for (std::size_t i = 0; i < views.scene().lights.size(); ++i)
+    lights_.push_back(source_of(views.light(i), views.mesh_light(i)));
 }
 
-DirectLight::Source DirectLight::source_of(const Scene& scene, const Light& light) const {
+DirectLight::Source DirectLight::source_of(const Light& light, const MeshLight& mesh) {
   Source s;
   s.type = light.type;
   s.emission = light.emission;
   s.position = light.position;
   s.normal = light.type == LightType::sun ? -light.direction : light.normal;
   s.radius = light.radius;
-  s.double_sided = light.double_sided;
+  s.double_sided = light.double_sided && !mesh.closed;
   const Vec3 u = light.edge_u * 0.5f, v = light.edge_v * 0.5f, p = light.position;
   const float sine = std::sin(0.5f * light.angular_diameter);
   s.sin2 = sine * sine;
@@ -108,34 +78,25 @@ DirectLight::Source DirectLight::source_of(const Scene& scene, const Light& ligh
     if (light.radius > 0)
       s.stretch = std::max(1.0f, length(light.edge_u) / (glossy_points * 2 * light.radius));
   }
-  if (light.type == LightType::mesh) add_mesh(scene, light, s);
+  if (light.type == LightType::mesh) add_mesh(mesh, s);
   return s;
 }
 
-void DirectLight::add_mesh(const Scene& scene, const Light& light, Source& source) const {
-  if (light.instance < 0) return;
-  auto triangles =
-      world_triangles(scene, scene.instances[static_cast<std::size_t>(light.instance)]);
-  const Closure closure = closure_of(triangles);
-  if (source.double_sided && closure.closed()) {
-    source.double_sided = false;
-    if (closure.volume < 0)
-      for (WorldTriangle& t : triangles) std::swap(t.b, t.c);
-  }
-  source.patches = mesh_patches(triangles, glossy_points);
-  if (triangles.size() > few_triangles)
-    source.fine_patches = mesh_patches(triangles, mesh_points);
+void DirectLight::add_mesh(const MeshLight& mesh, Source& source) {
+  source.patches = mesh_patches(mesh.faces, glossy_points);
+  if (mesh.faces.size() > few_faces)
+    source.fine_patches = mesh_patches(mesh.faces, mesh_points);
   else
-    source.triangles = std::move(triangles);
+    source.faces = mesh.faces;
 }
 
 float DirectLight::mesh_irradiance(const Source& source, const Vec3& position, const Vec3& normal,
                                    Horizon horizon) const {
   float sum = patches_irradiance(source.fine_patches, source.double_sided, position, normal);
-  for (const WorldTriangle& t : source.triangles) {
-    const std::array<Vec3, 3> seen{t.a - position, t.b - position, t.c - position};
-    const bool behind = dot(cross(t.b - t.a, t.c - t.a), seen[0]) >= 0;
-    if (!behind || source.double_sided) sum += polygon_irradiance(seen, normal, horizon);
+  for (const LightFace& f : source.faces) {
+    if (!source.double_sided && !MeshLight::turned(f, position)) continue;
+    const std::array<Vec3, 3> seen{f.a - position, f.b - position, f.c - position};
+    sum += polygon_irradiance(seen, normal, horizon);
   }
   return std::min(sum, pi);
 }
@@ -146,8 +107,7 @@ float DirectLight::irradiance(std::size_t light, const Vec3& position, const Vec
   const Vec3 to = s.position - position;
   switch (s.type) {
     case LightType::point: {
-      const float d2 = dot(to, to), d = std::sqrt(d2);
-      if (!(d2 > 0)) return 0;
+      const float d2 = point_distance2(to), d = std::sqrt(d2);
       const float spot = smoothstep(-dot(s.normal, to) / d * s.spot_scale + s.spot_offset);
       return spot * std::max(0.0f, dot(normal, to)) / (d2 * d);
     }
@@ -231,7 +191,7 @@ Glossy DirectLight::glossy(std::size_t light, const ShadingPoint& point) const {
   if (is_delta) {
     const Vec3 l = s.type == LightType::sun ? s.normal : d2 > 0 ? to / std::sqrt(d2) : point.normal;
     const float spot = smoothstep(-dot(s.normal, l) * s.spot_scale + s.spot_offset);
-    const float strength = s.type == LightType::sun ? 1 : d2 > 0 ? spot / d2 : 0;
+    const float strength = s.type == LightType::sun ? 1 : spot / point_distance2(to);
     const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
     return ggx(point.alpha * point.alpha, nv, dot(point.normal, l), dot(point.to_viewer, l)) *
            strength;

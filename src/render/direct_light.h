@@ -7,21 +7,22 @@
 
 #include "render/cone_irradiance.h"
 #include "render/ggx.h"
-#include "render/light_points.h"
+#include "render/light_patches.h"
 #include "render/shading_point.h"
-#include "scene/scene.h"
+#include "shadow/light_view.h"
 
 namespace penumbra {
 
 /// The lights of a scene, made ready for shading; immutable, thread-safe, no allocation per query.
 /// Light is never infinite: a point on or inside a light gets at most what a half space of its
-/// radiance gives, and nothing from the centre of a point light.
+/// radiance gives, and a point light is at least a micrometre away.
 ///
 /// One-sided: disk, rect and single-sided mesh lights give nothing behind them. The lights of a
-/// mesh are its front faces; of a closed double-sided mesh too, since its inside is not seen.
+/// mesh are its front faces; of a double-sided mesh both sides unless it is closed, since then its
+/// inside is not seen.
 class DirectLight {
  public:
-  explicit DirectLight(const Scene& scene);
+  explicit DirectLight(const LightViews& views);
 
   std::size_t size() const { return lights_.size(); }
   /// Radiance; intensity of a point light; irradiance of a sun.
@@ -50,11 +51,11 @@ class DirectLight {
     bool double_sided = false;              ///< mesh
     std::vector<WorldTriangle> triangles;   ///< mesh of few triangles
     std::vector<LightPatch> patches;        ///< flat lights, segments, meshes
-    std::vector<LightPatch> fine_patches;   ///< mesh of many triangles
+    std::vector<LightPatch> fine_patches;   ///< mesh of many faces
   };
 
-  Source source_of(const Scene& scene, const Light& light) const;
-  void add_mesh(const Scene& scene, const Light& light, Source& source) const;
+  static Source source_of(const Light& light, const MeshLight& mesh);
+  static void add_mesh(const MeshLight& mesh, Source& source);
   float mesh_irradiance(const Source& source, const Vec3& position, const Vec3& normal,
                         Horizon horizon) const;
   Glossy cone_glossy(const Source& source, const ShadingPoint& point, const Vec3& axis,

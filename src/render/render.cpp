@@ -87,9 +87,9 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   check(scene, options);
   const auto build_start = Clock::now();
   RenderResult result = empty_result(options, scene.lights.size());
-  const DirectLight lights(scene);
-  const MaterialLookup materials(scene);
   const Shadows shadows(world, options.shadows);
+  const DirectLight lights(shadows.lights());
+  const MaterialLookup materials(scene);
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);

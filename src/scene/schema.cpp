@@ -36,22 +36,22 @@ std::string_view scene_schema() {
     }
   },
   "$defs": {
-    "coordinate": {"type": "number", "minimum": -1e18, "maximum": 1e18},
+    "coordinate": {"type": "number", "minimum": -1e9, "maximum": 1e9},
     "point": {"type": "array", "items": {"$ref": "#/$defs/coordinate"}, "minItems": 3, "maxItems": 3},
     "nonzero_vector": {
       "description": "Of any length but zero.",
       "$ref": "#/$defs/point",
       "not": {"items": {"const": 0}}
     },
-    "positive": {"type": "number", "minimum": 1e-12, "maximum": 1e18},
+    "positive": {"type": "number", "minimum": 1e-12, "maximum": 1e9},
     "unit_interval": {"type": "number", "minimum": 0, "maximum": 1},
     "albedo": {"type": "array", "items": {"$ref": "#/$defs/unit_interval"}, "minItems": 3, "maxItems": 3},
     "light_colour": {
-      "type": "array", "items": {"type": "number", "minimum": 0, "maximum": 1e18},
+      "type": "array", "items": {"type": "number", "minimum": 0, "maximum": 1e12},
       "minItems": 3, "maxItems": 3
     },
     "scale": {
-      "type": "number", "minimum": -1e18, "maximum": 1e18,
+      "type": "number", "minimum": -1e9, "maximum": 1e9,
       "not": {"exclusiveMinimum": -1e-12, "exclusiveMaximum": 1e-12}
     },
     "text": {"type": "string", "pattern": "^[^\\u0000-\\u001f]*$"},

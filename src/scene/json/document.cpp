@@ -33,16 +33,29 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0)
 Json::CharReaderBuilder strict_parser() {
   Json::CharReaderBuilder builder;
   Json::CharReaderBuilder::strictMode(&builder.settings_);
-  builder["allowComments"] = true;
-  builder["collectComments"] = false;
   builder["stackLimit"] = deepest_nesting + 8;
   return builder;
+}
+
+std::string_view in_our_words(std::string_view message) {
+  constexpr std::string_view words[][2] = {
+      {"Syntax error: value, object or array expected", "a value is expected"},
+      {"Missing '}' or object member name", "a key in quotes or '}' is expected"},
+      {"Missing ',' or '}' in object declaration", "',' or '}' is expected"},
+      {"Missing ',' or ']' in array declaration", "',' or ']' is expected"},
+      {"Missing ':' after object member name", "':' is expected"},
+      {"Extra non-whitespace after JSON value", "something follows the end of the scene"},
+      {"A valid JSON document must be either an array or an object value", "'{' is expected"}};
+  for (const auto& [theirs, ours] : words)
+    if (message == theirs) return ours;
+  return message;
 }
 
 }  // namespace
 
 Document::Document(const std::string& path) : path_(path), text_(read_text(path)) {
   find_lines();
+  blank_comments();
   // The parser would take it for the end of the text.
   if (const auto nul = text_.find('\0'); nul != std::string::npos)
     throw InputError(place_at(nul), "a zero byte in the text", "save the scene as UTF-8 text");
@@ -77,16 +90,17 @@ Place Document::key_place(const Json::Value& object, const Json::Value& member) 
   const auto end = static_cast<std::size_t>(member.getOffsetStart());
   std::size_t key = begin;
   int depth = 0;
-  for (std::size_t i = begin; i < end; i = past_token(i)) {
-    if (text_[i] == '{' || text_[i] == '[') ++depth;
-    if (text_[i] == '}' || text_[i] == ']') --depth;
-    if (text_[i] == '"' && depth == 1) key = i;
+  for (std::size_t i = begin; i < end; i = past_string(i)) {
+    if (code_[i] == '{' || code_[i] == '[') ++depth;
+    if (code_[i] == '}' || code_[i] == ']') --depth;
+    if (code_[i] == '"' && depth == 1) key = i;
   }
   return place_at(key);
 }
 
-char Document::last_character(const Json::Value& value) const {
-  return text_.at(static_cast<std::size_t>(value.getOffsetLimit()) - 1);
+std::string_view Document::text_of(const Json::Value& value) const {
+  const auto begin = static_cast<std::size_t>(value.getOffsetStart());
+  return std::string_view(text_).substr(begin, value.getOffsetLimit() - value.getOffsetStart());
 }
 
 std::optional<std::string> Document::find_file(const std::string& name) const {
@@ -96,26 +110,38 @@ std::optional<std::string> Document::find_file(const std::string& name) const {
   return path.string();
 }
 
-// Past the string, the comment or the single character at `offset`.
-std::size_t Document::past_token(std::size_t offset) const {
-  const auto past = [&](std::string_view end, std::size_t from) {
-    const std::size_t found = text_.find(end, from);
-    return found == std::string::npos ? text_.size() : found + end.size();
-  };
-  const std::string_view rest = std::string_view(text_).substr(offset, 2);
-  if (rest == "//") return std::min(text_.find_first_of("\r\n", offset), text_.size());
-  if (rest == "/*") return past("*/", offset + 2);
-  if (rest[0] != '"') return offset + 1;
+// The offset after the string that begins there, or after the single character.
+std::size_t Document::past_string(std::size_t offset) const {
+  if (text_[offset] != '"') return offset + 1;
   std::size_t i = offset + 1;
   while (i < text_.size() && text_[i] != '"') i += text_[i] == '\\' ? 2 : 1;
   return std::min(i + 1, text_.size());
 }
 
+// The parser does not take a comment in every place.
+void Document::blank_comments() {
+  code_ = text_;
+  for (std::size_t i = 0; i < text_.size();) {
+    const std::string_view rest = std::string_view(text_).substr(i, 2);
+    std::size_t end = past_string(i);
+    if (rest == "//" || rest == "/*") {
+      end = rest == "//" ? text_.find_first_of("\r\n", i) : text_.find("*/", i + 2);
+      if (end == std::string::npos && rest == "/*")
+        throw InputError(place_at(i), "the comment has no end", "close it with */");
+      end = end == std::string::npos ? text_.size() : end + (rest == "/*" ? 2 : 0);
+      std::replace_if(
+          code_.begin() + std::ptrdiff_t(i), code_.begin() + std::ptrdiff_t(end),
+          [](char c) { return c != '\n' && c != '\r'; }, ' ');
+    }
+    i = end;
+  }
+}
+
 void Document::check_depth() const {
   int depth = 0;
-  for (std::size_t i = 0; i < text_.size(); i = past_token(i)) {
-    if (text_[i] == '{' || text_[i] == '[') ++depth;
-    if (text_[i] == '}' || text_[i] == ']') --depth;
+  for (std::size_t i = 0; i < code_.size(); i = past_string(i)) {
+    if (code_[i] == '{' || code_[i] == '[') ++depth;
+    if (code_[i] == '}' || code_[i] == ']') --depth;
     if (depth > deepest_nesting)
       throw InputError(place_at(i), fmt::format("nested deeper than {} levels", deepest_nesting),
                        "no scene needs that; look for a missing bracket");
@@ -127,7 +153,7 @@ void Document::parse() {
   std::string errors;
   bool parsed = false;
   try {
-    parsed = reader->parse(text_.data(), text_.data() + text_.size(), &root_, &errors);
+    parsed = reader->parse(code_.data(), code_.data() + code_.size(), &root_, &errors);
   } catch (const Json::Exception& e) {
     throw InputError(Place{path_}, std::string("not a scene: ") + e.what(), "correct the JSON");
   }
@@ -138,19 +164,28 @@ void Document::parse() {
 void Document::refuse_syntax(const std::string& parser_errors) const {
   unsigned line = 1, column = 1;
   int length = 0;
-  if (std::sscanf(parser_errors.c_str(), "* Line %u, Column %u\n%n", &line, &column, &length) < 2)
-    throw InputError(Place{path_}, "not valid JSON", "correct the JSON");
-  std::string message = parser_errors.substr(static_cast<std::size_t>(length));
+  std::sscanf(parser_errors.c_str(), "* Line %u, Column %u\n%n", &line, &column, &length);
+  std::string_view message = std::string_view(parser_errors).substr(std::size_t(length));
   message = message.substr(0, message.find('\n'));
-  message.erase(0, message.find_first_not_of(' '));
-  if (message.ends_with('.')) message.pop_back();
+  message.remove_prefix(std::min(message.find_first_not_of(' '), message.size()));
+  if (message.ends_with('.')) message.remove_suffix(1);
   line = std::clamp(line, 1u, static_cast<unsigned>(line_starts_.size()));
-  const Place place = place_at(line_starts_[line - 1] + std::max(column, 1u) - 1);
-  constexpr std::string_view duplicate = "Duplicate key: ";
-  if (message.starts_with(duplicate))
-    throw InputError(place, "duplicate key " + message.substr(duplicate.size()),
-                     "keep one of the two");
-  throw InputError(place, "not valid JSON: " + message, "correct the text there");
+  refuse_syntax(line_starts_[line - 1] + std::max(column, 1u) - 1, message);
+}
+
+void Document::refuse_syntax(std::size_t offset, std::string_view message) const {
+  constexpr std::string_view duplicate = "Duplicate key: '";
+  if (message.starts_with(duplicate) && message.ends_with('\''))
+    throw InputError(
+        place_at(offset),
+        fmt::format("duplicate key \"{}\"",
+                    message.substr(duplicate.size(), message.size() - duplicate.size() - 1)),
+        "keep one of the two");
+  const bool at_end = code_.find_first_not_of(" \t\r\n", offset) == std::string::npos;
+  throw InputError(place_at(offset),
+                   fmt::format("not valid JSON: {}{}", in_our_words(message),
+                               at_end ? ", but the text ends" : ""),
+                   "correct the text there");
 }
 
 std::vector<Member> members_in_file_order(const Json::Value& object) {

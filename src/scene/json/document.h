@@ -25,21 +25,24 @@ class Document {
   Place place(const Json::Value& value) const;
   /// Where the key of `member`, a direct member of `object`, begins.
   Place key_place(const Json::Value& object, const Json::Value& member) const;
-  /// The last character of a value's text.
-  char last_character(const Json::Value& value) const;
+  /// A value as it is written.
+  std::string_view text_of(const Json::Value& value) const;
   /// The path of a file that the document names relative to its own folder; nothing if there is
   /// no such file.
   std::optional<std::string> find_file(const std::string& name) const;
 
  private:
   Place place_at(std::size_t offset) const;
-  std::size_t past_token(std::size_t offset) const;
+  std::size_t past_string(std::size_t offset) const;
   void find_lines();
+  void blank_comments();
   void check_depth() const;
   void parse();
   [[noreturn]] void refuse_syntax(const std::string& parser_errors) const;
+  [[noreturn]] void refuse_syntax(std::size_t offset, std::string_view message) const;
 
   std::string path_, text_;
+  std::string code_;  // the text with blanks for its comments
   std::vector<std::size_t> line_starts_;
   Json::Value root_;
 };

@@ -8,7 +8,8 @@
 namespace penumbra::json {
 namespace {
 
-constexpr double largest = 1e18, smallest = 1e-12;
+// finish_scene takes no geometry beyond a million kilometres.
+constexpr double largest = 1e9, smallest = 1e-12, brightest = 1e12;
 
 struct Range {
   double lo, hi;
@@ -17,16 +18,35 @@ struct Range {
   bool holds(double x) const { return lo <= x && x <= hi; }
 };
 
-// The parser reads "-" and "1." as numbers; JSON does not.
-bool ends_in_digit(const Json::Value& value, const Document& document) {
-  return document.last_character(value) >= '0' && document.last_character(value) <= '9';
+std::size_t past_digits(std::string_view s, std::size_t from) {
+  return std::min(s.find_first_not_of("0123456789", from), s.size());
+}
+
+// The parser also takes "-", "+1", "01" and "1." for numbers; JSON does not.
+bool is_json_number(std::string_view s) {
+  const std::size_t whole = s.starts_with('-') ? 1 : 0;
+  std::size_t end = past_digits(s, whole);
+  if (end == whole || (s[whole] == '0' && end > whole + 1)) return false;
+  if (end < s.size() && s[end] == '.') {
+    const std::size_t fraction = end + 1;
+    end = past_digits(s, fraction);
+    if (end == fraction) return false;
+  }
+  if (end < s.size() && (s[end] == 'e' || s[end] == 'E')) {
+    const std::size_t sign = end + 1 < s.size() && (s[end + 1] == '+' || s[end + 1] == '-');
+    const std::size_t exponent = end + 1 + sign;
+    end = past_digits(s, exponent);
+    if (end == exponent) return false;
+  }
+  return end == s.size();
 }
 
 double number(const At& at, const std::string& label, const Range& range) {
   if (!at.value.isNumeric())
     refuse(at, fmt::format("{} is {}", label, type_name(at.value)), "give " + range.wanted);
-  if (!ends_in_digit(at.value, at.document))
-    refuse(at, label + " is not a valid number", "give " + range.wanted);
+  if (const auto text = at.document.text_of(at.value); !is_json_number(text))
+    refuse(at, fmt::format("{} is \"{}\", which is no JSON number", label, text.substr(0, 40)),
+           "give " + range.wanted);
   const double x = at.value.asDouble();
   if (!range.holds(x)) refuse(at, fmt::format("{} is {:g}", label, x), "give " + range.wanted);
   return x;
@@ -53,7 +73,7 @@ Vec3d triple_or_number(const At& at, const Range& each) {
 }
 
 const Range& in_space() {
-  static const Range range{-largest, largest, "[x, y, z], three numbers of size at most 1e18"};
+  static const Range range{-largest, largest, "[x, y, z], three numbers of size at most 1e9"};
   return range;
 }
 
@@ -70,7 +90,7 @@ std::string_view type_name(const Json::Value& value) {
     case Json::stringValue:
       return "a string";
     case Json::booleanValue:
-      return "true or false";
+      return "a boolean";
     case Json::arrayValue:
       return "an array";
     case Json::objectValue:
@@ -81,7 +101,7 @@ std::string_view type_name(const Json::Value& value) {
 }
 
 float positive(const At& at) {
-  static const Range range{smallest, largest, "a number above 0 (1e-12 to 1e18)"};
+  static const Range range{smallest, largest, "a number above 0 (1e-12 to 1e9)"};
   return static_cast<float>(number(at, range));
 }
 
@@ -110,7 +130,7 @@ Vec3 nonzero_vector(const At& at) {
 }
 
 Vec3 light_colour(const At& at) {
-  static const Range range{0, largest, "[r, g, b], three numbers from 0 to 1e18"};
+  static const Range range{0, brightest, "[r, g, b], three numbers from 0 to 1e12"};
   return Vec3(triple(at, range));
 }
 

@@ -22,8 +22,8 @@ struct At {
 /// "a string", "an array" …
 std::string_view type_name(const Json::Value& value);
 
-// Numbers and their components lie within ±1e18, whose squares are floats still.
-float positive(const At& at);              ///< 1e-12 to 1e18
+// Lengths and coordinates end at 1e9 metres, emissions at 1e12.
+float positive(const At& at);              ///< 1e-12 to 1e9
 float unit_interval(const At& at);         ///< 0 to 1
 float field_of_view_deg(const At& at);     ///< above 0, below 180
 float angular_diameter_deg(const At& at);  ///< 0 or above, below 180

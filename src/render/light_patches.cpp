@@ -1,4 +1,4 @@
-#include "render/light_points.h"
+#include "render/light_patches.h"
 
 #include <numbers>
 
@@ -7,7 +7,7 @@ namespace {
 
 /// Uniform in a triangle from the unit square (Heitz 2019, A Low-Distortion Map Between Triangle
 /// and Square).
-Vec3 in_triangle(const WorldTriangle& t, float x, float y) {
+Vec3 in_triangle(const LightFace& t, float x, float y) {
   const float b1 = y > x ? 0.5f * x : x - 0.5f * y;
   const float b2 = y > x ? y - 0.5f * x : 0.5f * y;
   return t.a + (t.b - t.a) * b1 + (t.c - t.a) * b2;
@@ -65,19 +65,18 @@ std::vector<LightPatch> segment_patches(const Light& light, int count) {
   return patches;
 }
 
-std::vector<LightPatch> mesh_patches(std::span<const WorldTriangle> triangles, int count) {
+std::vector<LightPatch> mesh_patches(std::span<const LightFace> faces, int count) {
   double total = 0;
-  for (const WorldTriangle& t : triangles) total += 0.5 * length(cross(t.b - t.a, t.c - t.a));
+  for (const LightFace& f : faces) total += f.area;
   std::vector<LightPatch> patches;
   const double share = total / count;
   double passed = 0;
-  for (const WorldTriangle& t : triangles) {
-    const Vec3 n = cross(t.b - t.a, t.c - t.a);
-    passed += 0.5 * length(n);
+  for (const LightFace& f : faces) {
+    passed += f.area;
     for (auto i = patches.size(); static_cast<double>(i) + 0.5 < passed / share; ++i)
-      patches.push_back({in_triangle(t, fraction(0.5 + 0.7548776662 * static_cast<double>(i)),
+      patches.push_back({in_triangle(f, fraction(0.5 + 0.7548776662 * static_cast<double>(i)),
                                      fraction(0.5 + 0.5698402910 * static_cast<double>(i))),
-                         normalize(n), static_cast<float>(share)});
+                         f.normal, static_cast<float>(share)});
   }
   return patches;
 }

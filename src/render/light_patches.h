@@ -8,12 +8,9 @@
 
 #include "base/vec.h"
 #include "scene/scene.h"
+#include "shadow/light_view.h"
 
 namespace penumbra {
-
-struct WorldTriangle {
-  Vec3 a, b, c;
-};
 
 /// A piece of a light's surface.
 struct LightPatch {
@@ -27,8 +24,8 @@ struct LightPatch {
 std::vector<LightPatch> disk_patches(const Light& light, int count);
 std::vector<LightPatch> rect_patches(const Light& light, int count);
 std::vector<LightPatch> segment_patches(const Light& light, int count);
-/// `count` points spread over the triangles evenly by area.
-std::vector<LightPatch> mesh_patches(std::span<const WorldTriangle> triangles, int count);
+/// `count` points spread over the faces evenly by area.
+std::vector<LightPatch> mesh_patches(std::span<const LightFace> faces, int count);
 
 /// Points of the unit disk on a Vogel spiral, equal in area; a cone's directions by equal-area
 /// projection.
