@@ -34,17 +34,17 @@ class Walk {
     while (size_ > 0 && !sink_.done()) {
       const Entry entry = stack_[--size_];
       if (!(entry.least < sink_.limit())) continue;
-      if (visit(entry.child, world)) slabs_ = ConeSlabs(q_, sink_.limit());
+      if (visit({entry.child}, world)) slabs_ = ConeSlabs(q_, sink_.limit());
     }
   }
 
  private:
   struct Entry {
-    Child child;
+    std::uint32_t child;  // bits of a Child, so that the stack costs nothing to make
     float least;
   };
 
-  void push(Child child, float least) { stack_[size_++] = {child, least}; }
+  void push(Child child, float least) { stack_[size_++] = {child.bits, least}; }
 
   // True if the cone became narrower.
   bool visit(Child child, const ConeQuery& world) {

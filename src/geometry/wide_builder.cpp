@@ -74,7 +74,7 @@ RTCBuildArguments arguments(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitiv
   args.maxBranchingFactor = tree_width;
   args.maxDepth = 60;
   args.sahBlockSize = max_leaf;  // eight triangles cost what one costs
-  args.minLeafSize = 1;
+  args.minLeafSize = 8;
   args.maxLeafSize = max_leaf;
   args.traversalCost = 1;
   args.intersectionCost = 1.5f;  // a leaf of triangles takes about this many node visits
