@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <thread>
 
 #include "base/atomic_file.h"
@@ -26,6 +27,7 @@ void end_after_grace() {
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(800));
   remove_unfinished_files();
+  std::fputs("penumbra: stopped\n", stderr);
   ::_exit(130);
 }
 

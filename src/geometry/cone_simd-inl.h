@@ -48,8 +48,8 @@ HWY_INLINE std::uint32_t bits_of(Bools m) {
 /// What a node's children promise.
 struct ChildTest {
   std::uint32_t hits = 0;             ///< a bit per child that the cone may touch
-  HWY_ALIGN float order[tree_width];  ///< the smaller, the sooner it is worth a look
-  HWY_ALIGN float least[tree_width];  ///< no point of the child has a smaller clearance
+  HWY_ALIGN float least[tree_width];  ///< no point of the child has a smaller clearance; negative
+                                      ///< where its bounding sphere reaches over the axis
 };
 
 HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Floats& near,
@@ -93,7 +93,6 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
     const Floats r = hn::Sqrt(size2), away = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
     const Floats reach = hn::Max(hn::Add(z, r), all(1e-30f));
-    hn::Store(hn::Div(away, reach), d, test.order + first);
     hn::Store(hn::Div(hn::Sub(away, r), reach), d, test.least + first);
   }
 }

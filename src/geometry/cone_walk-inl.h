@@ -74,7 +74,7 @@ class Walk {
     for (std::uint32_t hits = test.hits; hits; hits &= hits - 1) {
       const int i = std::countr_zero(hits);
       int at = count++;
-      for (; at > 0 && test.order[found[at - 1]] < test.order[i]; --at) found[at] = found[at - 1];
+      for (; at > 0 && test.least[found[at - 1]] < test.least[i]; --at) found[at] = found[at - 1];
       found[at] = i;
     }
     for (int i = 0; i < count; ++i) push(node.child[found[i]], test.least[found[i]]);

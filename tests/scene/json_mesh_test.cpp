@@ -87,6 +87,7 @@ TEST(JsonMesh, FileWithoutTriangleIsRefused) {
 }
 
 TEST(JsonMesh, SceneFileIsNoModel) {
+  write_file(scratch().file("s.json"), "{}");
   EXPECT_EQ(
       error_of(with_object(R"({"type": "mesh", "file": "s.json"})")),
       "s.json: unknown file format \".json\"; known are .gltf, .glb, .obj, .ply, .ply.gz, .stl");

@@ -302,7 +302,11 @@ TEST(JsonMisuse, TooManyVertices) {
             "s.json:2:54: the polygon has 1001 vertices; give 3 to 1000, or use a mesh file");
 }
 
-TEST(JsonMisuse, MissingFile) {
+TEST(JsonMisuse, Files) {
+  write_file(scratch().file("whole.json"), R"({"objects": 1})");
+  EXPECT_THROW(read_json_scene(scratch().file("whole.json")), InputError);
+  write_file(scratch().file("whole.json"), R"({"objects": []})");
+  EXPECT_TRUE(read_json_scene(scratch().file("whole.json")).objects.empty());
   EXPECT_THROW(read_json_scene(scratch().file("nothing.json")), InputError);
 }
 

@@ -169,6 +169,24 @@ TEST(JsonScene, Sphere) {
   EXPECT_EQ(scene.objects[0].name, "sphere 0");
 }
 
+TEST(JsonScene, TextureIsLeftOutOnSpheres) {
+  write_file(scratch().file("two.bmp"), bmp_file());
+  const Scene scene =
+      read_text(R"({"materials": {"a": {"diffuse": [0, 0, 1], "texture": "two.bmp"}},
+      "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "a"},
+                  {"type": "sphere", "center": [3, 0, 0], "radius": 1, "material": "a"},
+                  {"type": "box", "min": [5, 0, 0], "max": [6, 1, 1], "material": "a"}]})");
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.spheres[0].material, 1u);
+  EXPECT_EQ(scene.spheres[1].material, 1u);
+  EXPECT_EQ(scene.instances[0].material, 0u);
+  EXPECT_FALSE(scene.materials[1].diffuse_map.used());
+  expect_near(scene.materials[1].diffuse, Vec3(0, 0, 1));
+  EXPECT_THAT(scene.report.warnings,
+              ElementsAre("sphere objects have no texture coordinates: the texture of material "
+                          "\"a\" is left out there"));
+}
+
 TEST(JsonScene, EmissiveSphereBecomesALightAfterTheOthers) {
   const Scene scene = read_text(R"({"materials": {"glow": {"emission": [3, 2, 1]}},
       "objects": [{"type": "sphere", "name": "bulb", "center": [1, 2, 3], "radius": 0.5,

@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "scene/json/builder.h"
 #include "scene/load.h"
 
 namespace penumbra::test {
@@ -42,10 +43,9 @@ inline const ScratchFolder& scratch() {
   return folder;
 }
 
+/// Files that the text names are looked for in the scratch folder.
 inline Scene read_text(const std::string& text) {
-  const std::string path = scratch().file("s.json");
-  write_file(path, text);
-  return read_json_scene(path);
+  return json::read_scene(json::Document(scratch().file("s.json"), text));
 }
 
 /// The one-line message for a scene that must be refused, the file called s.json.

@@ -28,24 +28,30 @@ Json::Value known_extras(const Json::Value& extras) {
 /// tinygltf turns whole numbers in extensions into ints, whatever their size.
 void make_real(Json::Value& value) {
   if (value.isNumeric()) value = value.asDouble();
+  for (Json::Value& child : value) make_real(child);
+}
+
+void strip_extensions(Json::Value& extensions) {
+  for (const std::string& name : extensions.getMemberNames())
+    if (!is_implemented(name)) extensions.removeMember(name);
+  make_real(extensions);
 }
 
 /// Removes what is not read from extras and extensions, which may hold anything.
 void strip(Json::Value& value) {
   if (value.isObject() && value.isMember("extras")) value["extras"] = known_extras(value["extras"]);
-  if (value.isObject() && value.isMember("extensions"))
-    for (const std::string& name : value["extensions"].getMemberNames())
-      if (!is_implemented(name)) value["extensions"].removeMember(name);
+  if (value.isObject() && value.isMember("extensions")) strip_extensions(value["extensions"]);
   for (Json::Value& child : value) strip(child);
 }
 
-void prepare_lights(Json::Value& root) {
+/// Adds what tinygltf insists on: a spot's cone; and a member to each area light, because it drops
+/// empty objects from arrays and so moves the others.
+void complete_lights(Json::Value& root) {
   if (!root.isMember("extensions")) return;
   for (Json::Value& light : root["extensions"]["KHR_lights_punctual"]["lights"])
     if (light["type"] == "spot" && !light["spot"].isObject()) light["spot"] = Json::objectValue;
   for (Json::Value& light : root["extensions"]["EXT_lights_area"]["lights"])
-    for (const char* name : {"intensity", "size", "aspect"})
-      if (light.isMember(name)) make_real(light[name]);
+    if (!light.isMember("type")) light["type"] = light.get("shape", "rect");
 }
 
 /// The part of the document that tinygltf is to read.
@@ -58,8 +64,10 @@ std::string slim_json(const Json::Value& root) {
     accessor.removeMember("min");
     accessor.removeMember("max");
   }
+  for (Json::Value& mesh : slim["meshes"])
+    for (Json::Value& primitive : mesh["primitives"]) primitive.removeMember("indices");
   strip(slim);
-  prepare_lights(slim);
+  complete_lights(slim);
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "";
   return Json::writeString(builder, slim);
@@ -152,6 +160,12 @@ void Document::parse_model() {
                                   static_cast<unsigned>(text.size()), ""))
     throw InputError({json_.file()}, "this is no valid glTF: " + error.substr(0, 200),
                      "export it again");
+}
+
+int Document::indices_of(std::size_t mesh, std::size_t primitive) const {
+  const Json::Value& list =
+      json_.root()["meshes"][static_cast<Json::ArrayIndex>(mesh)]["primitives"];
+  return list[static_cast<Json::ArrayIndex>(primitive)].get("indices", -1).asInt();
 }
 
 std::string_view Document::bytes_of_view(int view) const {

@@ -30,11 +30,18 @@ class Document {
   const tinygltf::Model& model() const { return model_; }
   Warnings& warnings() { return warnings_; }
 
+  /// The accessor with the indices of a primitive, −1 if there is none. Not in the model: tinygltf
+  /// refuses sparse ones without a bufferView.
+  int indices_of(std::size_t mesh, std::size_t primitive) const;
+
   /// The bytes of a bufferView.
   std::string_view bytes_of_view(int view) const;
 
   /// A file that `uri` names, read once; null if it is not a local, regular, readable file.
   std::shared_ptr<const std::string> external_file(const std::string& uri);
+
+  /// The sizes of the file and of the external files read so far.
+  std::uint64_t bytes_held() const { return held_; }
 
   /// To be called before `bytes` are allocated for what `path` asks for. Many small descriptions
   /// may refer to the same bytes, so that a short file could ask for any amount: throws InputError

@@ -76,8 +76,7 @@ Light area(const tinygltf::Value& in, const Axes& axes) {
   out.emission = times(color, number(in, "intensity").value_or(1000));
   out.name = text(in, "name");
   const double size = number(in, "size").value_or(1) * axes.scale;
-  const std::string type = in.Has("type") ? text(in, "type") : text(in, "shape");
-  if (type == "disk") {
+  if (text(in, "type") == "disk") {
     out.type = LightType::disk;
     out.radius = to_float(size / 2);
     return out;

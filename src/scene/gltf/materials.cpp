@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "scene/gltf/mirror.h"
 #include "scene/gltf/values.h"
 
 namespace penumbra::gltf {
 namespace {
-
-constexpr float kLeastMetallic = 0.5f, kRoughest = 0.15f;
 
 Vec3 unit_color(const std::vector<double>& c) {
   return {to_unit(c[0]), to_unit(c[1]), to_unit(c[2])};
@@ -44,11 +43,6 @@ void read_alpha(const tinygltf::Material& in, const std::string& name, Warnings&
 }
 
 }  // namespace
-
-Vec3 mirror_of_metal(const Vec3& base_color, float metallic, float roughness) {
-  if (metallic < kLeastMetallic || roughness >= kRoughest) return {};
-  return base_color * (metallic * (1 - roughness / kRoughest));
-}
 
 std::vector<Material> read_materials(Document& document, Textures& textures) {
   std::vector<Material> materials;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -24,9 +22,10 @@ class Reader {
       : document_(document),
         mesh_(document.model().meshes[mesh]),
         primitive_(mesh_.primitives[primitive]),
+        indices_(document.indices_of(mesh, primitive)),
         path_(fmt::format("meshes[{}].primitives[{}]", mesh, primitive)) {}
 
-  std::optional<Mesh> read(bool mirrored);
+  std::optional<Mesh> read();
 
  private:
   bool has_triangles() const;
@@ -35,46 +34,16 @@ class Reader {
   Indices indices() const;
   Indices read_indices(const Elements& elements) const;
   std::vector<Vec3> vectors(const Elements& elements, const Indices& vertices) const;
-  void read_normals(Mesh& mesh, const Indices& vertices) const;
   void read_uvs(Mesh& mesh, const Indices& vertices) const;
   void warn_of_deformation() const;
 
   Document& document_;
   const tinygltf::Mesh& mesh_;
   const tinygltf::Primitive& primitive_;
+  int indices_;
   std::string path_;
   std::size_t vertex_count_ = 0;
 };
-
-/// Vertex normals summed from the triangles around each vertex, for those that the file gives
-/// without a direction.
-void repair_normals(Mesh& mesh) {
-  std::vector<Vec3> sums(mesh.positions.size());
-  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    const std::uint32_t* v = &mesh.indices[t];
-    const Vec3 n = cross(mesh.positions[v[1]] - mesh.positions[v[0]],
-                         mesh.positions[v[2]] - mesh.positions[v[0]]);
-    for (int k = 0; k < 3; ++k) sums[v[k]] += n;
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (mesh.normals[i] != Vec3{}) continue;
-    const float l = length(sums[i]);
-    mesh.normals[i] = l > 0 && std::isfinite(l) ? sums[i] / l : Vec3{0, 1, 0};
-  }
-}
-
-/// Unit length; zero for what has no direction.
-Vec3 unit_or_zero(const Vec3& v) {
-  const Vec3d wide(v);
-  const double l = length(wide);
-  return l > 0 && std::isfinite(l) ? Vec3(wide / l) : Vec3{};
-}
-
-void turn_inside_out(Mesh& mesh) {
-  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
-    std::swap(mesh.indices[t + 1], mesh.indices[t + 2]);
-  for (Vec3& n : mesh.normals) n = -n;
-}
 
 bool Reader::has_triangles() const {
   const bool triangles = primitive_.mode >= TINYGLTF_MODE_TRIANGLES;
@@ -106,7 +75,7 @@ std::optional<Elements> Reader::vertex_attribute(const std::string& name, int co
 }
 
 Indices Reader::indices() const {
-  if (primitive_.indices >= 0) return read_indices(Elements(document_, primitive_.indices));
+  if (indices_ >= 0) return read_indices(Elements(document_, indices_));
   document_.spend(vertex_count_ * sizeof(std::uint32_t), path_);
   Indices all(vertex_count_);
   std::iota(all.begin(), all.end(), 0u);
@@ -141,16 +110,6 @@ std::vector<Vec3> Reader::vectors(const Elements& elements, const Indices& verti
   return result;
 }
 
-void Reader::read_normals(Mesh& mesh, const Indices& vertices) const {
-  const auto elements = vertex_attribute("NORMAL", 3);
-  if (!elements) return;
-  mesh.normals = vectors(*elements, vertices);
-  for (Vec3& n : mesh.normals) n = unit_or_zero(n);
-  if (std::find(mesh.normals.begin(), mesh.normals.end(), Vec3{}) == mesh.normals.end()) return;
-  document_.warnings().add("normals without a direction are computed from the triangles", path_);
-  repair_normals(mesh);
-}
-
 void Reader::read_uvs(Mesh& mesh, const Indices& vertices) const {
   for (int set = 0; set < 2; ++set) {
     const auto elements = vertex_attribute(fmt::format("TEXCOORD_{}", set), 2);
@@ -159,8 +118,7 @@ void Reader::read_uvs(Mesh& mesh, const Indices& vertices) const {
     for (const std::uint32_t vertex : vertices) {
       float v[2];
       elements->get(vertex, v);
-      const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]);
-      mesh.uv[set].push_back(finite ? Vec2{v[0], v[1]} : Vec2{});
+      mesh.uv[set].push_back({v[0], v[1]});
     }
   }
 }
@@ -171,7 +129,7 @@ void Reader::warn_of_deformation() const {
                              mesh_.name);
 }
 
-std::optional<Mesh> Reader::read(bool mirrored) {
+std::optional<Mesh> Reader::read() {
   if (!has_triangles()) return std::nullopt;
   warn_of_deformation();
   const Elements positions = attribute("POSITION", 3);
@@ -185,17 +143,15 @@ std::optional<Mesh> Reader::read(bool mirrored) {
   mesh.indices = triangle_list(std::move(vertices), primitive_.mode);
   const Indices used = compact(mesh.indices);
   mesh.positions = vectors(positions, used);
-  read_normals(mesh, used);
+  if (const auto normals = vertex_attribute("NORMAL", 3)) mesh.normals = vectors(*normals, used);
   read_uvs(mesh, used);
-  if (mirrored) turn_inside_out(mesh);
   return mesh;
 }
 
 }  // namespace
 
-std::optional<Mesh> read_primitive(Document& document, std::size_t mesh, std::size_t primitive,
-                                   bool mirrored) {
-  return Reader(document, mesh, primitive).read(mirrored);
+std::optional<Mesh> read_primitive(Document& document, std::size_t mesh, std::size_t primitive) {
+  return Reader(document, mesh, primitive).read();
 }
 
 }  // namespace penumbra::gltf

@@ -10,11 +10,9 @@ namespace penumbra::gltf {
 
 /// The triangles of model().meshes[mesh].primitives[primitive]; no value (and a warning) for
 /// points, lines and primitives without positions. Holds only the vertices that the indices use, in
-/// their order. With `mirrored` the mesh is turned inside out, winding and normals: what an
-/// instance with a negative determinant needs so that its triangles keep their front in the world.
+/// their order.
 /// Throws InputError with the path of an attribute that is of no allowed type, too short or too
 /// long, and of an index out of range.
-std::optional<Mesh> read_primitive(Document& document, std::size_t mesh, std::size_t primitive,
-                                   bool mirrored);
+std::optional<Mesh> read_primitive(Document& document, std::size_t mesh, std::size_t primitive);
 
 }  // namespace penumbra::gltf

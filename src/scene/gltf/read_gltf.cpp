@@ -3,7 +3,7 @@
 
 #include <map>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "scene/gltf/cameras.h"
 #include "scene/gltf/document.h"
@@ -21,6 +21,20 @@ namespace {
 /// Every node may use a mesh of any number of primitives: a short file could ask for billions.
 constexpr std::size_t kMostInstances = 4'000'000;
 
+void check_instance_count(const Document& document, const NodeTree& tree) {
+  const tinygltf::Model& model = document.model();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (!tree.in_scene[i] || model.nodes[i].mesh < 0) continue;
+    count += model.meshes[static_cast<std::size_t>(model.nodes[i].mesh)].primitives.size();
+    if (count > kMostInstances)
+      throw document.json().error(
+          fmt::format("nodes[{}]", i),
+          fmt::format("the scene has more than {} instances", kMostInstances),
+          "join meshes before exporting");
+  }
+}
+
 /// Fills meshes, instances and objects of a scene from the nodes.
 class Builder {
  public:
@@ -30,7 +44,7 @@ class Builder {
   void add_node(std::size_t node);
 
  private:
-  std::optional<std::uint32_t> mesh(std::size_t mesh, std::size_t primitive, bool mirrored);
+  std::optional<std::uint32_t> mesh(std::size_t mesh, std::size_t primitive);
   std::uint32_t material(const tinygltf::Primitive& primitive);
   void add_instance(std::size_t node, std::uint32_t mesh, const tinygltf::Primitive& primitive);
   void add_object(std::size_t node);
@@ -38,15 +52,15 @@ class Builder {
   Document& document_;
   const NodeTree& tree_;
   Scene& scene_;
-  /// By glTF mesh, primitive and mirroring; no value: it has no triangles.
-  std::map<std::tuple<std::size_t, std::size_t, bool>, std::optional<std::uint32_t>> meshes_;
+  /// By glTF mesh and primitive; no value: it has no triangles.
+  std::map<std::pair<std::size_t, std::size_t>, std::optional<std::uint32_t>> meshes_;
   std::optional<std::uint32_t> default_material_;
 };
 
-std::optional<std::uint32_t> Builder::mesh(std::size_t mesh, std::size_t primitive, bool mirrored) {
-  const auto [it, is_new] = meshes_.try_emplace({mesh, primitive, mirrored});
+std::optional<std::uint32_t> Builder::mesh(std::size_t mesh, std::size_t primitive) {
+  const auto [it, is_new] = meshes_.try_emplace(std::pair(mesh, primitive));
   if (!is_new) return it->second;
-  if (auto read = read_primitive(document_, mesh, primitive, mirrored)) {
+  if (auto read = read_primitive(document_, mesh, primitive)) {
     it->second = static_cast<std::uint32_t>(scene_.meshes.size());
     scene_.meshes.push_back(std::move(*read));
   }
@@ -65,11 +79,6 @@ std::uint32_t Builder::material(const tinygltf::Primitive& primitive) {
 
 void Builder::add_instance(std::size_t node, std::uint32_t mesh,
                            const tinygltf::Primitive& primitive) {
-  if (scene_.instances.size() == kMostInstances)
-    throw document_.json().error(
-        fmt::format("nodes[{}]", node),
-        fmt::format("the scene has more than {} instances", kMostInstances),
-        "join meshes before exporting");
   Instance instance;
   instance.mesh = mesh;
   instance.material = material(primitive);
@@ -92,11 +101,10 @@ void Builder::add_node(std::size_t i) {
   if (node.skin >= 0)
     document_.warnings().add("skins are left out: the mesh is shown as modelled",
                              node_name(document_, i));
-  const bool mirrored = tree_.world_from_node[i].determinant() < 0;
   const auto index = static_cast<std::size_t>(node.mesh);
   const auto& primitives = document_.model().meshes[index].primitives;
   for (std::size_t k = 0; k < primitives.size(); ++k)
-    if (const auto m = mesh(index, k, mirrored)) add_instance(i, *m, primitives[k]);
+    if (const auto m = mesh(index, k)) add_instance(i, *m, primitives[k]);
 }
 
 }  // namespace
@@ -105,6 +113,7 @@ void Builder::add_node(std::size_t i) {
 Scene read_gltf(const std::string& path) {
   gltf::Document document(path);
   const gltf::NodeTree tree = gltf::node_tree(document);
+  gltf::check_instance_count(document, tree);
   Scene scene;
   scene.report.format = document.json().source().binary() ? "glTF 2.0 (binary)" : "glTF 2.0 (text)";
   gltf::Textures textures(document);

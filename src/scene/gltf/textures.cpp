@@ -11,6 +11,14 @@
 namespace penumbra::gltf {
 namespace {
 
+/// Images are decoded in parallel within a batch; between batches their sum is looked at.
+constexpr std::size_t kBatch = 4;
+
+/// Compressed formats can blow up some ten thousand times; no picture that means something does.
+std::uint64_t most_pixel_bytes(const Document& document) {
+  return (std::uint64_t{1} << 30) + 64 * document.bytes_held();
+}
+
 /// The encoded bytes of an image, and what keeps them alive.
 struct Encoded {
   std::shared_ptr<const std::string> owner;
@@ -94,27 +102,41 @@ TextureSlot Textures::slot(const tinygltf::TextureInfo& use) {
 }
 
 std::vector<TextureImage> Textures::decode() {
-  const Json::Value& images = document_.json().root()["images"];
+  std::vector<TextureImage> images(used_.size());
+  std::uint64_t bytes = 0;
+  for (std::size_t begin = 0; begin < used_.size(); begin += kBatch) {
+    const std::size_t end = std::min(begin + kBatch, used_.size());
+    if (bytes > most_pixel_bytes(document_))
+      throw document_.json().error(fmt::format("images[{}]", used_[begin]),
+                                   "the images before it hold far more pixels than a file of this "
+                                   "size should",
+                                   "use smaller textures");
+    decode_batch(begin, end, images);
+    for (std::size_t k = begin; k < end; ++k) bytes += images[k].rgba.size();
+  }
+  return images;
+}
+
+void Textures::decode_batch(std::size_t begin, std::size_t end, std::vector<TextureImage>& images) {
+  const Json::Value& list = document_.json().root()["images"];
   std::vector<Encoded> sources;
-  for (const int i : used_)
-    sources.push_back(encoded(document_, images[static_cast<Json::ArrayIndex>(i)]));
-  std::vector<TextureImage> result(used_.size());
-  std::vector<char> good(used_.size(), 0);
-  parallel_for(used_.size(), [&](std::size_t k) {
-    const std::string_view bytes = sources[k].bytes;
-    good[k] = decode_texture(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-                             result[k]);
+  for (std::size_t k = begin; k < end; ++k)
+    sources.push_back(encoded(document_, list[static_cast<Json::ArrayIndex>(used_[k])]));
+  std::vector<char> good(end - begin, 0);
+  parallel_for(end - begin, [&](std::size_t i) {
+    const std::string_view bytes = sources[i].bytes;
+    good[i] = decode_texture(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
+                             images[begin + i]);
   });
-  for (std::size_t k = 0; k < used_.size(); ++k) {
-    const Json::Value& image = images[static_cast<Json::ArrayIndex>(used_[k])];
-    result[k].name = image.get("name", "").asString();
-    if (!good[k])
-      document_.warnings().add(sources[k].bytes.empty()
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    const int image = used_[begin + i];
+    images[begin + i].name = list[static_cast<Json::ArrayIndex>(image)].get("name", "").asString();
+    if (!good[i])
+      document_.warnings().add(sources[i].bytes.empty()
                                    ? "an image cannot be found and is shown white"
                                    : "an image cannot be decoded and is shown white",
-                               fmt::format("images[{}]", used_[k]));
+                               fmt::format("images[{}]", image));
   }
-  return result;
 }
 
 }  // namespace penumbra::gltf

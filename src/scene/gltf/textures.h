@@ -19,10 +19,12 @@ class Textures {
 
   /// The images in the order of first use, which slots count by. In parallel. An image that is
   /// missing or cannot be decoded becomes one white pixel, with a warning.
+  /// Throws InputError before the pixels exceed 64 times the files' bytes by more than some GiB.
   std::vector<TextureImage> decode();
 
  private:
   int image_of(int texture);
+  void decode_batch(std::size_t begin, std::size_t end, std::vector<TextureImage>& images);
 
   Document& document_;
   std::vector<int> slot_image_;  ///< per image of the file: its number in used_, −1 = not used

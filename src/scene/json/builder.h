@@ -16,13 +16,17 @@ struct Model {
   std::vector<Instance> instances;
 };
 
+/// The scene that a document describes, unfinished; InputError with the place.
+Scene read_scene(const Document& document);
+
 struct Builder {
   const Document& document;
   Scene scene{};
   std::map<std::string, std::uint32_t, std::less<>> materials{};  ///< index by name
-  std::map<std::string, int> textures{};  ///< index by path; -1 = cannot be decoded
-  std::map<std::string, Model> models{};  ///< by path: a file is read once
-  std::vector<Light> sphere_lights{};     ///< from emissive sphere objects
+  std::map<std::string, int> textures{};                ///< index by path; -1 = cannot be decoded
+  std::map<std::string, Model> models{};                ///< by path: a file is read once
+  std::map<std::uint32_t, std::uint32_t> untextured{};  ///< copies of materials, for spheres
+  std::vector<Light> sphere_lights{};                   ///< from emissive sphere objects
 };
 
 /// "camera" or "cameras" of the scene object.

@@ -23,9 +23,7 @@ std::string read_text(const std::string& path) {
   if (!ignored && size > largest_file)
     throw InputError(Place{path}, fmt::format("the scene has {} bytes, more than 32 MiB", size),
                      "keep large geometry in mesh files");
-  std::string text = read_file(path);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  return text;
+  return read_file(path);
 }
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
@@ -53,7 +51,11 @@ std::string_view in_our_words(std::string_view message) {
 
 }  // namespace
 
-Document::Document(const std::string& path) : path_(path), text_(read_text(path)) {
+Document::Document(const std::string& path) : Document(path, read_text(path)) {}
+
+Document::Document(const std::string& path, std::string text)
+    : path_(path), text_(std::move(text)) {
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   find_lines();
   blank_comments();
   // The parser would take it for the end of the text.

@@ -18,6 +18,8 @@ class Document {
   /// Reads and parses the file. InputError for a file that cannot be read, is larger than 32 MiB,
   /// nests deeper than 64 levels, breaks the syntax, or repeats a key.
   explicit Document(const std::string& path);
+  /// The same with the text at hand; the file need not be there.
+  Document(const std::string& path, std::string text);
 
   const std::string& path() const { return path_; }
   const Json::Value& root() const { return root_; }

@@ -5,9 +5,7 @@
 
 namespace penumbra {
 
-Scene read_json_scene(const std::string& path) {
-  using namespace json;
-  const Document document(path);
+Scene json::read_scene(const Document& document) {
   Builder builder{document};
   Scene& scene = builder.scene;
   scene.report.format = "Penumbra scene (JSON)";
@@ -27,5 +25,7 @@ Scene read_json_scene(const std::string& path) {
   read_objects(builder, *objects);
   return std::move(builder.scene);
 }
+
+Scene read_json_scene(const std::string& path) { return json::read_scene(json::Document(path)); }
 
 }  // namespace penumbra

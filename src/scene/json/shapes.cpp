@@ -61,12 +61,20 @@ void turn_into_light(Builder& builder, const Sphere& sphere) {
   builder.sphere_lights.push_back(std::move(light));
 }
 
-void warn_of_texture(Builder& builder, const Sphere& sphere) {
-  Scene& scene = builder.scene;
-  if (!scene.materials[sphere.material].diffuse_map.used()) return;
-  scene.report.warnings.push_back(
-      fmt::format("the sphere object \"{}\" has no texture coordinates; its texture is left out",
-                  scene.objects[sphere.object].name));
+// Analytic spheres have no texture coordinates: they take a copy of the material without texture.
+std::uint32_t untextured(Builder& builder, const Sphere& sphere) {
+  std::vector<Material>& materials = builder.scene.materials;
+  if (!materials[sphere.material].diffuse_map.used()) return sphere.material;
+  const auto next = static_cast<std::uint32_t>(materials.size());
+  const auto [copy, is_new] = builder.untextured.try_emplace(sphere.material, next);
+  if (!is_new) return copy->second;
+  materials.push_back(Material(materials[sphere.material]));
+  materials.back().diffuse_map = {};
+  builder.scene.report.warnings.push_back(
+      fmt::format("sphere objects have no texture coordinates: the texture of material \"{}\" is "
+                  "left out there",
+                  materials.back().name));
+  return next;
 }
 
 }  // namespace
@@ -98,7 +106,7 @@ void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   reader.done();
   if (max_component(builder.scene.materials[sphere.material].emission) > 0)
     return turn_into_light(builder, sphere);
-  warn_of_texture(builder, sphere);
+  sphere.material = untextured(builder, sphere);
   builder.scene.spheres.push_back(sphere);
 }
 

@@ -136,7 +136,7 @@ class ObjReader {
   /// Positive numbers count from 1, negative ones back from the last so far.
   std::uint32_t reference(int attribute, std::size_t so_far) {
     const std::size_t begin = cursor_.offset();
-    const std::int64_t number = cursor_.integer(kAttributeNames[attribute]);
+    const std::int64_t number = cursor_.leading_integer(kAttributeNames[attribute]);
     const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(so_far) + number;
     if (number == 0)
       cursor_.fail_at(begin, "a face names number 0, and numbers begin with 1", "correct it");

@@ -6,19 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <utility>
 
 namespace penumbra {
 namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-bool is_word(char c) { return !is_blank(c) && c != '\n'; }
-
-/// Length of a backslash and the newline after it; 0 if there is none.
-int continuation(const char* at, const char* end) {
-  if (end - at >= 2 && at[0] == '\\' && at[1] == '\n') return 2;
-  if (end - at >= 3 && at[0] == '\\' && at[1] == '\r' && at[2] == '\n') return 3;
-  return 0;
-}
 
 /// std::from_chars and fast_float take no plus sign.
 const char* skip_plus(const char* at, const char* end) {
@@ -43,22 +34,17 @@ Place place_in_text(std::string_view file, std::string_view text, std::size_t of
           1 + offset - line_start};
 }
 
-void TextCursor::skip_blanks() {
-  for (;;) {
-    while (at_ != end_ && is_blank(*at_)) ++at_;
-    const int length = continuation(at_, end_);
-    if (length == 0) return;
+int TextCursor::continuation_length() const {
+  if (end_ - at_ >= 2 && at_[0] == '\\' && at_[1] == '\n') return 2;
+  if (end_ - at_ >= 3 && at_[0] == '\\' && at_[1] == '\r' && at_[2] == '\n') return 3;
+  return 0;
+}
+
+void TextCursor::skip_continuations() {
+  while (const int length = continuation_length()) {
     at_ += length;
+    while (at_ != end_ && is_blank(*at_)) ++at_;
   }
-}
-
-bool TextCursor::at_line_end() {
-  skip_blanks();
-  return at_ == end_ || *at_ == '\n';
-}
-
-bool TextCursor::at_word_end() const {
-  return at_ == end_ || !is_word(*at_) || continuation(at_, end_) > 0;
 }
 
 void TextCursor::next_line() {
@@ -92,12 +78,22 @@ float TextCursor::number(const char* what) {
   const auto [after, error] = fast_float::from_chars(skip_plus(at_, end_), end_, value);
   // Out of range leaves infinity or zero, which finish_scene judges.
   if (error == std::errc::invalid_argument) fail_expected("a number", what);
-  if (after != end_ && is_word(*after) && *after != '\\') fail_expected("a number", what);
-  at_ = after;
-  return value;
+  const char* begin = std::exchange(at_, after);
+  if (at_word_end()) return value;
+  at_ = begin;
+  fail_expected("a number", what);
 }
 
 std::int64_t TextCursor::integer(const char* what) {
+  skip_blanks();
+  const char* begin = at_;
+  const std::int64_t value = leading_integer(what);
+  if (at_word_end()) return value;
+  at_ = begin;
+  fail_expected("an integer", what);
+}
+
+std::int64_t TextCursor::leading_integer(const char* what) {
   skip_blanks();
   std::int64_t value = 0;
   const auto [after, error] = std::from_chars(skip_plus(at_, end_), end_, value);

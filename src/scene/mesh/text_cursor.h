@@ -26,11 +26,20 @@ class TextCursor {
   bool at_end() const { return at_ == end_; }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - text_.data()); }
 
-  void skip_blanks();
+  void skip_blanks() {
+    while (at_ != end_ && is_blank(*at_)) ++at_;
+    if (at_ != end_ && *at_ == '\\') skip_continuations();
+  }
   /// After blanks: nothing is left in this line.
-  bool at_line_end();
+  bool at_line_end() {
+    skip_blanks();
+    return at_ == end_ || *at_ == '\n';
+  }
   /// Nothing is left of this word.
-  bool at_word_end() const;
+  bool at_word_end() const {
+    return at_ == end_ || is_blank(*at_) || *at_ == '\n' ||
+           (*at_ == '\\' && continuation_length() > 0);
+  }
   /// Goes to the start of the next line.
   void next_line();
   /// Skips blanks and newlines.
@@ -43,6 +52,8 @@ class TextCursor {
   /// A decimal number, inf or nan. `what` says in an error what it should have been, "x" say.
   float number(const char* what);
   std::int64_t integer(const char* what);
+  /// An integer that something else may follow in the same word.
+  std::int64_t leading_integer(const char* what);
   /// Takes the character if it is next.
   bool take(char c);
 
@@ -54,6 +65,12 @@ class TextCursor {
                             const std::string& remedy) const;
 
  private:
+  static bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  }
+  /// Of a backslash and the newline after it; 0 if there is none.
+  int continuation_length() const;
+  void skip_continuations();
   [[noreturn]] void fail_expected(const char* kind, const char* what);
 
   std::string_view file_;
