@@ -51,7 +51,10 @@ Seen look(const World& world, const CameraRays& camera, const DirectLight& light
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i].shading;
     const Vec3 unlit = ambient * (p.diffuse + p.specular);
-    if (max_component(p.emission) > 0) seen.emission.push_back(luminance(p.emission));
+    if (max_component(p.emission) > 0) {
+      seen.emission.push_back(luminance(p.emission));
+      continue;
+    }
     if (!p.is_diffuse() && !p.is_glossy()) continue;
     seen.all.push_back(luminance(radiance[i]));
     if (radiance[i] != unlit) seen.lit.push_back(luminance(radiance[i]));

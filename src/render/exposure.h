@@ -12,10 +12,10 @@ namespace penumbra {
 ///
 /// A coarse grid of 64 × 36 rays is shaded with ambient light and with `hard` shadows, whatever
 /// method the picture uses, so that it is the same for every method, and a lamp behind a wall does
-/// not count. `camera` must be aimed at a picture of 64 × 36 (CameraRays). Emission is left out.
-/// Surfaces that some light reaches count alone if they are a hundredth of what is seen; else all
-/// surfaces count; without any reflecting surface the background and emission do. 0 where all is
-/// black. Multiplying all light by 2 lowers it by 1; the scene's scale does not matter.
+/// not count. `camera` must be aimed at a picture of 64 × 36 (CameraRays). Emitting surfaces are
+/// left out. Surfaces that some light reaches count alone if they are a hundredth of what is seen;
+/// else all surfaces count; where none reflects the background counts, then emission. 0 where all
+/// is black. Multiplying all light by 2 lowers it by 1; the scene's scale does not matter.
 float automatic_exposure(const World& world, const CameraRays& camera, const DirectLight& lights,
                          const MaterialLookup& materials);
 

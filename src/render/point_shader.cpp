@@ -19,7 +19,8 @@ void PointShader::find_unshadowed(const DirectLight& lights, std::size_t light, 
     const ShadingPoint& p = points[i].shading;
     Unshadowed u;
     if (p.is_diffuse()) u.irradiance = lights.irradiance(light, p.position, p.normal, horizon);
-    if (p.is_glossy()) u.glossy = lights.glossy(light, p);
+    // A light that gives no irradiance is below the horizon or turned away.
+    if (p.is_glossy() && (u.irradiance > 0 || !p.is_diffuse())) u.glossy = lights.glossy(light, p);
     unshadowed_[i] = u;
     asked_[i] = ask_all || u.irradiance > 0 || u.glossy.f0 > 0 || u.glossy.f90 > 0;
   }
