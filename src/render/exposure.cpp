@@ -46,7 +46,8 @@ Seen look(const World& world, const CameraRays& camera, const DirectLight& light
   std::vector<Vec3> radiance;
   ShadowCounts counts;
   trace(world, materials, grid_rays(camera), points);
-  PointShader().shade(lights, shadows, ambient, points, radiance, nullptr, counts);
+  PointShader().shade(lights, shadows, ambient, points, exposure_grid_width, radiance, nullptr,
+                      counts);
   Seen seen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i].shading;

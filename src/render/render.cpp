@@ -30,6 +30,13 @@ void check(const Scene& scene, const RenderOptions& o) {
                      fmt::format("the scene has {}, numbered from 0", scene.cameras.size()));
 }
 
+/// The error asked for is a pixel's: each of its independent samples may have √spp times that.
+ShadowOptions shadow_options(const RenderOptions& o) {
+  ShadowOptions shadows = o.shadows;
+  if (shadows.error) *shadows.error *= std::sqrt(static_cast<float>(o.spp));
+  return shadows;
+}
+
 RenderResult empty_result(const RenderOptions& o, std::size_t lights) {
   RenderResult result;
   result.color = Image(o.width, o.height, 3);
@@ -87,7 +94,7 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   check(scene, options);
   const auto build_start = Clock::now();
   RenderResult result = empty_result(options, scene.lights.size());
-  const Shadows shadows(world, options.shadows);
+  const Shadows shadows(world, shadow_options(options));
   const DirectLight lights(shadows.lights());
   const MaterialLookup materials(scene);
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
