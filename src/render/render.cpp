@@ -100,12 +100,12 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
-  result.stats.exposure_ev = options.exposure_ev
-                                 ? *options.exposure_ev
-                                 : automatic_exposure(world, coarse, lights, materials);
+  const Brightness bright = find_brightness(world, coarse, lights, materials);
+  result.stats.exposure_ev = options.exposure_ev.value_or(bright.exposure_ev);
   result.stats.seconds_build = seconds_since(build_start);
   const auto render_start = Clock::now();
-  render_tiles({world, options, lights, materials, shadows, camera}, result, progress);
+  render_tiles({world, options, lights, materials, shadows, camera, bright.ambient}, result,
+               progress);
   result.stats.seconds_render = seconds_since(render_start);
   return result;
 }

@@ -108,7 +108,7 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
                       TileScratch& scratch, PixelSums& sums, ShadowCounts& counts) {
   const Scene& scene = setup.world.scene();
   add_background(scene.background, scratch.rays, scratch.points, sums);
-  scratch.shader.shade(setup.lights, setup.shadows, scene.ambient, scratch.points, tile_width,
+  scratch.shader.shade(setup.lights, setup.shadows, setup.ambient, scratch.points, tile_width,
                        scratch.radiance, observer, counts);
   for (std::size_t i = 0; i < scratch.points.size(); ++i) {
     const TilePoint& p = scratch.points[i];
