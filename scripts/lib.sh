@@ -1,8 +1,8 @@
 # Shared by the scripts beside it (POSIX shell, sourced after cd to the top of the repository).
 
 BUILD_PACKAGES="cmake ninja-build g++ pkg-config libembree-dev libtbb-dev libhwy-dev libtinygltf-dev
-nlohmann-json3-dev libstb-dev libtinyobjloader-dev libfast-float-dev libjsoncpp-dev libopenexr-dev
-libpng-dev zlib1g-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libbenchmark-dev"
+libstb-dev libtinyobjloader-dev libfast-float-dev libjsoncpp-dev libopenexr-dev libpng-dev
+zlib1g-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libbenchmark-dev"
 CHECK_PACKAGES="clang-format-16 clang-tidy-16"
 
 say() { printf '%s\n' "$*"; }
@@ -64,22 +64,22 @@ configure() {
 }
 
 # build PRESET [TARGET…]
-build() {
+build() (
   preset=$1
   shift
   for target in "$@"; do set -- "$@" --target "$target"; shift; done
   cmake --build --preset "$preset" --parallel "$(processors)" "$@"
-}
+)
 
 # seconds_since START: START from `date +%s.%N`.
 seconds_since() { awk -v a="$1" -v b="$(date +%s.%N)" 'BEGIN { printf "%.1f s", b - a }'; }
 
 # render SCENE PICTURE [options…]: unless the picture is newer than the program and all scenes.
-render() {
+render() (
   scene=$1
   picture=$2
   shift 2
-  program=build/release/bin/penumbra
+  program=${PENUMBRA_PROGRAM:-build/release/bin/penumbra}
   if [ -e "$picture" ] && [ -z "$(find "$program" "$scene" scenes -newer "$picture" -type f)" ]; then
     say "$picture   (up to date)"
     return 0
@@ -87,4 +87,4 @@ render() {
   start=$(date +%s.%N)
   "$program" render "$scene" -o "$picture" --quiet "$@"
   say "$picture   $(seconds_since "$start")"
-}
+)

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <set>
 
 #include "base/error.h"
 
@@ -20,7 +22,20 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
+// What has no size of its own (pipes, devices) may be endless.
+constexpr std::size_t kLongestStream = std::size_t{1} << 30;
+
 std::string reason() { return std::strerror(errno); }
+
+// Temporary files that are there now. Never destroyed: the process may end while they are in use.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<std::string> names;
+};
+Unfinished& unfinished() {
+  static auto& all = *new Unfinished;
+  return all;
+}
 
 }  // namespace
 
@@ -32,14 +47,20 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
                     "create it or choose another output");
   if (fs::is_directory(path_, ignored))
     throw WorkError({path_}, "this is a folder", "name a file for the output");
+  if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
+    throw WorkError({path_}, "this is not an ordinary file", "choose another output");
   temporary_ = path_ + ".part" + std::to_string(::getpid());
+  const std::lock_guard lock(unfinished().mutex);
   const int fd = ::open(temporary_.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0)
     throw WorkError({path_}, "cannot be written (" + reason() + ")", "choose another output");
   ::close(fd);
+  unfinished().names.insert(temporary_);
 }
 
 AtomicFile::~AtomicFile() {
+  const std::lock_guard lock(unfinished().mutex);
+  unfinished().names.erase(temporary_);
   if (!committed_) ::unlink(temporary_.c_str());
 }
 
@@ -51,6 +72,11 @@ void AtomicFile::commit() {
     throw WorkError({path_}, "cannot be written (" + reason() + ")",
                     "free some space or choose another output");
   committed_ = true;
+}
+
+void remove_unfinished_files() {
+  const std::lock_guard lock(unfinished().mutex);
+  for (const std::string& name : unfinished().names) ::unlink(name.c_str());
 }
 
 void write_file(const std::string& path, const std::string& contents) {
@@ -66,8 +92,7 @@ void write_file(const std::string& path, const std::string& contents) {
 
 std::string read_file(const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error))
-    throw InputError({path}, "this is a folder", "name a file");
+  if (fs::is_directory(path, error)) throw InputError({path}, "this is a folder", "name a file");
   File in(std::fopen(path.c_str(), "rb"));
   if (!in)
     throw InputError({path}, "cannot be read (" + reason() + ")", "check the name and its rights");
@@ -75,8 +100,11 @@ std::string read_file(const std::string& path) {
   const auto size = fs::file_size(path, error);
   if (!error) contents.reserve(size + 1);
   char buffer[1 << 16];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, in.get())) > 0;)
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, in.get())) > 0;) {
     contents.append(buffer, n);
+    if (error && contents.size() > kLongestStream)
+      throw InputError({path}, "this device or pipe does not end", "name an ordinary file");
+  }
   if (std::ferror(in.get()))
     throw InputError({path}, "cannot be read (" + reason() + ")", "check the disk");
   return contents;

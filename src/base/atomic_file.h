@@ -9,7 +9,8 @@ namespace penumbra {
 /// that a failure leaves an earlier file of that name untouched.
 class AtomicFile {
  public:
-  /// Checks that the folder exists and can be written to; throws WorkError otherwise.
+  /// Checks that the folder exists and can be written to and that no device or folder has the name;
+  /// throws WorkError otherwise.
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -23,6 +24,10 @@ class AtomicFile {
   std::string path_, temporary_;
   bool committed_ = false;
 };
+
+/// Removes what every AtomicFile of the process has written so far and not committed. For use right
+/// before an abrupt end of the process; thread-safe.
+void remove_unfinished_files();
 
 /// Writes the whole text or bytes to `path` atomically; throws WorkError.
 void write_file(const std::string& path, const std::string& contents);

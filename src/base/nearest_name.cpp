@@ -28,10 +28,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
   // A kilobyte of nonsense for a name needs no exact distance.
   name = name.substr(0, 64);
-  const auto nearest = std::min_element(
-      candidates.begin(), candidates.end(), [name](std::string_view a, std::string_view b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
+  const auto nearest = std::min_element(candidates.begin(), candidates.end(),
+                                        [name](std::string_view a, std::string_view b) {
+                                          return edit_distance(name, a) < edit_distance(name, b);
+                                        });
   return nearest == candidates.end() ? std::string_view{} : *nearest;
 }
 

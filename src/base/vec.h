@@ -101,9 +101,7 @@ inline Frame frame_around(const Vec3& w) {
   const float sign = std::copysign(1.0f, w.z);
   const float a = -1.0f / (sign + w.z);
   const float b = w.x * w.y * a;
-  return {{1.0f + sign * w.x * w.x * a, sign * b, -sign * w.x},
-          {b, sign + w.y * w.y * a, -w.y},
-          w};
+  return {{1.0f + sign * w.x * w.x * a, sign * b, -sign * w.x}, {b, sign + w.y * w.y * a, -w.y}, w};
 }
 
 /// An axis-aligned box; empty until something is put in.

@@ -34,9 +34,9 @@ HWY_INLINE void load_corners(const TriangleLeaf& leaf, std::size_t first, const 
                   hn::Sub(hn::Load(d, leaf.position[v][2] + first), all(q.origin.z))};
     c.p[v] = {dot(q.ray.u, p), dot(q.ray.v, p), dot(q.ray.w, p)};
     c.above[v] = hn::Sub(dot(q.horizon, p), all(q.epsilon));
-    c.before[v] = q.has_plane ? hn::Add(dot(q.plane_normal, p),
-                                        all(q.plane_distance - q.plane_epsilon))
-                              : all(1);
+    c.before[v] = q.has_plane
+                      ? hn::Add(dot(q.plane_normal, p), all(q.plane_distance - q.plane_epsilon))
+                      : all(1);
   }
 }
 
@@ -61,8 +61,8 @@ HWY_INLINE Bools blocked(const Corners& c, const LocalQuery& q) {
 
 /// Clearance of triangles that lie wholly in the space that counts.
 HWY_INLINE Floats whole_clearance(const Corners& c) {
-  Floats least = hn::Min(hn::Min(end_clearance(c.p[0]), end_clearance(c.p[1])),
-                         end_clearance(c.p[2]));
+  Floats least =
+      hn::Min(hn::Min(end_clearance(c.p[0]), end_clearance(c.p[1])), end_clearance(c.p[2]));
   for (int v = 0; v < 3; ++v) least = hn::Min(least, side_clearance(c.p[v], c.p[(v + 1) % 3]));
   return least;
 }
@@ -74,8 +74,8 @@ HWY_INLINE Floats forward_clearance(const Point& a, const Point& b) {
   Point cut = lerp(a, b, hn::Div(a.z, hn::Sub(a.z, b.z)));
   cut.z = zero;  // at infinity: its direction is all that counts
   const Point from = select(a_in, a, cut), to = select(b_in, b, cut);
-  const Floats least = hn::Min(side_clearance(from, to),
-                               hn::Min(end_clearance(from), end_clearance(to)));
+  const Floats least =
+      hn::Min(side_clearance(from, to), hn::Min(end_clearance(from), end_clearance(to)));
   return hn::IfThenElse(hn::Or(a_in, b_in), least, all(infinite));
 }
 
@@ -147,9 +147,8 @@ HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, LeafCl
     const Bools counts = hn::Gt(hn::Add(height, r), zero);
     const Floats half = hn::Sqrt(hn::Max(hn::MulSub(r, r, away2), zero));
     const Bools hit = hn::And(
-        hn::Lt(away, r),
-        hn::And(hn::Gt(hn::Mul(hn::Add(z, half), all(q.rise)), all(q.epsilon)),
-                hn::Lt(hn::Sub(z, half), all(q.t_max))));
+        hn::Lt(away, r), hn::And(hn::Gt(hn::Mul(hn::Add(z, half), all(q.rise)), all(q.epsilon)),
+                                 hn::Lt(hn::Sub(z, half), all(q.t_max))));
     const Bools passed = hn::And(hn::Ge(away, r), hn::Gt(z, zero));
     Floats least = hn::IfThenElse(passed, hn::Div(hn::Sub(away, r), z), all(infinite));
     least = hn::IfThenElse(hit, zero, least);
@@ -160,8 +159,7 @@ HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, LeafCl
       const Floats lean = hn::MulAdd(x, all(dot(n, q.ray.u)), hn::Mul(y, all(dot(n, q.ray.v))));
       return hn::NegMulAdd(toward, lean, center_height);
     };
-    Bools plain = hn::And(hn::Gt(nearest_height(q.horizon, height), zero),
-                          hn::Le(z, all(q.t_max)));
+    Bools plain = hn::And(hn::Gt(nearest_height(q.horizon, height), zero), hn::Le(z, all(q.t_max)));
     if (q.has_plane) {
       const Floats before =
           hn::Add(dot(q.plane_normal, c), all(q.plane_distance - q.plane_epsilon));

@@ -47,9 +47,9 @@ HWY_INLINE std::uint32_t bits_of(Bools m) {
 
 /// What a node's children promise.
 struct ChildTest {
-  std::uint32_t hits = 0;  ///< a bit per child that the cone may touch
-  HWY_ALIGN float order[tree_width];  ///< the smaller, the sooner it is worth a look
-  HWY_ALIGN float least[tree_width];  ///< no point of the child has a smaller clearance
+  std::uint32_t hits = 0;             ///< a bit per child that the cone may touch
+  HWY_ALIGN float least[tree_width];  ///< no point of the child has a smaller clearance; negative
+                                      ///< where its bounding sphere reaches over the axis
 };
 
 HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Floats& near,
@@ -93,7 +93,6 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
     const Floats r = hn::Sqrt(size2), away = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
     const Floats reach = hn::Max(hn::Add(z, r), all(1e-30f));
-    hn::Store(hn::Div(away, reach), d, test.order + first);
     hn::Store(hn::Div(hn::Sub(away, r), reach), d, test.least + first);
   }
 }
@@ -107,9 +106,9 @@ HWY_INLINE Floats side_clearance(const Point& a, const Point& b) {
   const Floats along_a = hn::MulSub(a.y, nx, hn::Mul(a.x, ny));
   const Floats along_b = hn::MulSub(b.y, nx, hn::Mul(b.x, ny));
   const Floats across = hn::MulAdd(nx, nx, hn::Mul(ny, ny));
-  const Bools between = hn::And(hn::Xor(hn::Lt(along_a, hn::Zero(Lanes())),
-                                        hn::Lt(along_b, hn::Zero(Lanes()))),
-                                hn::Gt(across, hn::Zero(Lanes())));
+  const Bools between =
+      hn::And(hn::Xor(hn::Lt(along_a, hn::Zero(Lanes())), hn::Lt(along_b, hn::Zero(Lanes()))),
+              hn::Gt(across, hn::Zero(Lanes())));
   return hn::IfThenElse(between, hn::Div(hn::Abs(nz), hn::Sqrt(across)), all(infinite));
 }
 

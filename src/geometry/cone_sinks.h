@@ -24,8 +24,8 @@ class LeastSink {
     if (!(clearance < best_)) return false;
     best_ = clearance;
     const auto bin = static_cast<std::size_t>(best_ / outer_ * SearchLimit::size);
-    limit_ = std::min(best_, outer_ * limits_.fraction[std::min<std::size_t>(
-                                          bin, SearchLimit::size - 1)]);
+    limit_ = std::min(best_,
+                      outer_ * limits_.fraction[std::min<std::size_t>(bin, SearchLimit::size - 1)]);
     return true;
   }
 

@@ -65,8 +65,8 @@ class Builder {
   void add_cut_outs(std::uint32_t index) {
     const Instance& instance = scene_.instances[index];
     const Mesh& mesh = scene_.meshes[instance.mesh];
-    const auto scale = static_cast<float>(
-        std::cbrt(std::abs(instance.world_from_mesh.determinant())));
+    const auto scale =
+        static_cast<float>(std::cbrt(std::abs(instance.world_from_mesh.determinant())));
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       CutOut cut{{}, index, t, scale};
       triangle_corners(mesh, t, instance.world_from_mesh, cut.position);

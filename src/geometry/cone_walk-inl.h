@@ -34,27 +34,33 @@ class Walk {
     while (size_ > 0 && !sink_.done()) {
       const Entry entry = stack_[--size_];
       if (!(entry.least < sink_.limit())) continue;
-      if (visit(entry.child, world)) slabs_ = ConeSlabs(q_, sink_.limit());
+      if (visit({entry.child}, world)) slabs_ = ConeSlabs(q_, sink_.limit());
     }
   }
 
  private:
   struct Entry {
-    Child child;
+    std::uint32_t child;  // bits of a Child, so that the stack costs nothing to make
     float least;
   };
 
-  void push(Child child, float least) { stack_[size_++] = {child, least}; }
+  void push(Child child, float least) { stack_[size_++] = {child.bits, least}; }
 
   // True if the cone became narrower.
   bool visit(Child child, const ConeQuery& world) {
     switch (child.kind()) {
-      case ChildKind::node: return open(data_.nodes[child.index()]);
-      case ChildKind::triangles: return look(data_.triangles[child.index()]);
-      case ChildKind::spheres: return look(data_.spheres[child.index()]);
-      case ChildKind::placement: return enter(data_.placements[child.index()], world);
-      case ChildKind::cut_out: return look(data_.cut_outs[child.index()]);
-      case ChildKind::none: break;
+      case ChildKind::node:
+        return open(data_.nodes[child.index()]);
+      case ChildKind::triangles:
+        return look(data_.triangles[child.index()]);
+      case ChildKind::spheres:
+        return look(data_.spheres[child.index()]);
+      case ChildKind::placement:
+        return enter(data_.placements[child.index()], world);
+      case ChildKind::cut_out:
+        return look(data_.cut_outs[child.index()]);
+      case ChildKind::none:
+        break;
     }
     return false;
   }
@@ -68,7 +74,7 @@ class Walk {
     for (std::uint32_t hits = test.hits; hits; hits &= hits - 1) {
       const int i = std::countr_zero(hits);
       int at = count++;
-      for (; at > 0 && test.order[found[at - 1]] < test.order[i]; --at) found[at] = found[at - 1];
+      for (; at > 0 && test.least[found[at - 1]] < test.least[i]; --at) found[at] = found[at - 1];
       found[at] = i;
     }
     for (int i = 0; i < count; ++i) push(node.child[found[i]], test.least[found[i]]);

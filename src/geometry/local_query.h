@@ -11,13 +11,13 @@ namespace penumbra {
 
 struct LocalQuery {
   Vec3 origin;
-  Frame ray;            ///< w along the ray
-  Vec3 sine;            ///< of the angle between the ray and each axis
-  float t_max = 0;      ///< to the light; infinite for a sun
-  float reach = 0;      ///< the same, finite: no box of the tree is further
+  Frame ray;        ///< w along the ray
+  Vec3 sine;        ///< of the angle between the ray and each axis
+  float t_max = 0;  ///< to the light; infinite for a sun
+  float reach = 0;  ///< the same, finite: no box of the tree is further
   Vec3 horizon;
-  float epsilon = 0;    ///< height above the horizon that is still on it
-  float rise = 0;       ///< height gained per distance along the ray
+  float epsilon = 0;  ///< height above the horizon that is still on it
+  float rise = 0;     ///< height gained per distance along the ray
   bool has_plane = false;
   Vec3 plane_normal;
   float plane_distance = 0, plane_epsilon = 0;

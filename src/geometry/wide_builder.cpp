@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <numeric>
 
 #include "base/error.h"
 #include "geometry/embree_shim.h"
@@ -73,7 +74,7 @@ RTCBuildArguments arguments(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitiv
   args.maxBranchingFactor = tree_width;
   args.maxDepth = 60;
   args.sahBlockSize = max_leaf;  // eight triangles cost what one costs
-  args.minLeafSize = 1;
+  args.minLeafSize = 8;
   args.maxLeafSize = max_leaf;
   args.traversalCost = 1;
   args.intersectionCost = 1.5f;  // a leaf of triangles takes about this many node visits
@@ -139,9 +140,9 @@ class Flattener {
 
   // A leaf of several kinds, or of several placements, becomes a small node.
   Child flatten_leaf(const BuiltLeaf& leaf) {
-    std::array<int, max_leaf> order{};
-    for (int i = 0; i < leaf.count; ++i) order[static_cast<std::size_t>(i)] = i;
-    std::sort(order.begin(), order.begin() + leaf.count, [&](int a, int b) {
+    std::vector<int> order(static_cast<std::size_t>(leaf.count));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
       return std::pair(leaf.kind[a], leaf.index[a]) < std::pair(leaf.kind[b], leaf.index[b]);
     });
     std::vector<Group> groups;
@@ -159,7 +160,7 @@ class Flattener {
     return Child::of(ChildKind::node, index);
   }
 
-  static int group_end(const BuiltLeaf& leaf, const std::array<int, max_leaf>& order, int first) {
+  static int group_end(const BuiltLeaf& leaf, const std::vector<int>& order, int first) {
     const auto kind = leaf.kind[order[static_cast<std::size_t>(first)]];
     const bool packs = kind == static_cast<unsigned>(ChildKind::triangles) ||
                        kind == static_cast<unsigned>(ChildKind::spheres);
@@ -169,7 +170,7 @@ class Flattener {
     return last;
   }
 
-  Group pack_group(const BuiltLeaf& leaf, const std::array<int, max_leaf>& order, int first,
+  Group pack_group(const BuiltLeaf& leaf, const std::vector<int>& order, int first,
                    int last) const {
     std::uint32_t indices[max_leaf];
     const int head = order[static_cast<std::size_t>(first)];

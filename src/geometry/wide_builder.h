@@ -1,7 +1,6 @@
 // Turns boxes into a tree with up to eight children a node, through Embree's builder.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>

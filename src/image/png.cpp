@@ -64,8 +64,8 @@ void write_header(png_structp png, png_infop info, const RowEncoder& rows) {
   png_set_IHDR(png, info, width, height, 8, rows.color_type(), PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  // One filter for all rows and the fastest search: a quarter of the default's time at rendered
-  // pictures, for files about a tenth larger.
+  // One filter for all rows and the fastest search take a fifth to an eighth of the default's time
+  // on smooth and on noisy pictures, for files up to 1.6 times as large.
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_compression_level(png, 1);
   png_set_compression_buffer_size(png, 1 << 16);

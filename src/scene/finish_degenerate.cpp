@@ -44,6 +44,7 @@ std::size_t drop_triangles(Mesh& mesh) {
 
 void drop_empty_instances(Scene& scene) {
   std::vector<int> new_index;
+  new_index.reserve(scene.instances.size());
   int kept = 0;
   for (const Instance& instance : scene.instances)
     new_index.push_back(scene.meshes[instance.mesh].indices.empty() ? -1 : kept++);

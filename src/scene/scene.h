@@ -15,12 +15,12 @@ namespace penumbra {
 
 struct Material {
   std::string name;
-  Vec3 diffuse{0.8f, 0.8f, 0.8f};  ///< albedo in [0, 1]
-  Vec3 specular{0, 0, 0};          ///< reflectance at normal incidence, in [0, 1]
-  float roughness = 0.5f;          ///< GGX perceptual roughness in [0, 1]
-  Vec3 mirror{0, 0, 0};            ///< fraction reflected as by a mirror, in [0, 1]
-  Vec3 emission{0, 0, 0};          ///< radiance
-  TextureSlot diffuse_map;         ///< sRGB; multiplies diffuse
+  Vec3 diffuse{0.8f, 0.8f, 0.8f};      ///< albedo in [0, 1]
+  Vec3 specular{0, 0, 0};              ///< reflectance at normal incidence, in [0, 1]
+  float roughness = 0.5f;              ///< GGX perceptual roughness in [0, 1]
+  Vec3 mirror{0, 0, 0};                ///< fraction reflected as by a mirror, in [0, 1]
+  Vec3 emission{0, 0, 0};              ///< radiance
+  TextureSlot diffuse_map;             ///< sRGB; multiplies diffuse
   TextureSlot metallic_roughness_map;  ///< linear; green · roughness, blue · metallic
   TextureSlot emission_map;            ///< sRGB; multiplies emission; lights nothing by itself
   float metallic = 0;  ///< glTF: diffuse and specular are mixed from base colour by this
@@ -70,15 +70,16 @@ const char* to_string(LightType type);
 struct Light {
   LightType type = LightType::point;
   std::string name;
-  Vec3 position;       ///< centre: point, sphere, disk, rect, segment (its middle)
-  Vec3 normal;         ///< disk, rect: unit, the side that emits. Spot: the axis it shines along
-  Vec3 edge_u, edge_v; ///< rect: whole edges, edge_u × edge_v along normal. segment: to − from in u
-  float radius = 0;    ///< sphere, disk, segment
-  Vec3 direction;      ///< sun: unit, the way light travels
+  Vec3 position;  ///< centre: point, sphere, disk, rect, segment (its middle)
+  Vec3 normal;    ///< disk, rect: unit, the side that emits. Spot: the axis it shines along
+  Vec3 edge_u,
+      edge_v;  ///< rect: whole edges, edge_u × edge_v along normal. segment: to − from in u
+  float radius = 0;            ///< sphere, disk, segment
+  Vec3 direction;              ///< sun: unit, the way light travels
   float angular_diameter = 0;  ///< sun: radians
-  Vec3 emission;       ///< radiance; point: intensity; sun: irradiance on a facing surface
+  Vec3 emission;               ///< radiance; point: intensity; sun: irradiance on a facing surface
   float spot_cos_inner = -1, spot_cos_outer = -1;  ///< point: full inside, none outside; −1 = all
-  int instance = -1;   ///< mesh: index into Scene::instances of the emitting surface
+  int instance = -1;          ///< mesh: index into Scene::instances of the emitting surface
   bool double_sided = false;  ///< mesh: emits to both sides
 };
 

@@ -1,14 +1,14 @@
 // "What part of this light can be seen from here?", by any of the methods.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
+#include "geometry/cone_tree.h"
 #include "geometry/world.h"
+#include "shadow/light_points.h"
 #include "shadow/light_view.h"
 
 namespace penumbra {
@@ -19,11 +19,11 @@ enum class Composite : std::uint8_t { min, multiply, add };
 
 struct ShadowOptions {
   ShadowKind kind = ShadowKind::parker;
-  int light_samples = 0;           ///< area: points a light, 0 = 64
-  std::optional<float> error;      ///< area: adaptive, until the standard error is below this
-  Profile profile = Profile::cubic;        ///< parker
-  Composite composite = Composite::min;    ///< parker
-  float tolerance = 0.02f;         ///< parker: allowed change of the visible fraction, 0 = exact
+  int light_samples = 0;                 ///< area: points a light, 0 = 64
+  std::optional<float> error;            ///< area: adaptive, until the standard error is below this
+  Profile profile = Profile::cubic;      ///< parker
+  Composite composite = Composite::min;  ///< parker
+  float tolerance = 0.02f;  ///< parker: allowed change of the visible fraction, 0 = exact
   std::uint32_t seed = 0;
 };
 
@@ -40,11 +40,11 @@ Receiver receiver_of(const Surface& surface);
 
 /// One point of a light as seen from a receiver.
 struct LightPoint {
-  Vec3 direction;     ///< unit, receiver to light point
-  float weight = 0;   ///< irradiance on a surface facing it, per unit radiance, of the whole light
-                      ///< as this point stands for it: the mean over points of weight · cos θ ·
-                      ///< radiance is the irradiance. (sun: radiance → irradiance; sphere, disk,
-                      ///< rect, mesh, segment: solid angle the light would have)
+  Vec3 direction;    ///< unit, receiver to light point
+  float weight = 0;  ///< irradiance on a surface facing it, per unit radiance, of the whole light
+                     ///< as this point stands for it: the mean over points of weight · cos θ ·
+                     ///< radiance is the irradiance. (sun: radiance → irradiance; sphere, disk,
+                     ///< rect, mesh, segment: solid angle the light would have)
   bool visible = false;
 };
 
@@ -63,13 +63,19 @@ struct ShadowCounts {
   ShadowCounts& operator+=(const ShadowCounts& b);
 };
 
+class AdaptiveArea;
+
 /// Immutable; every query is thread-safe. Keeps a reference to the world.
 class Shadows {
  public:
   Shadows(const World& world, const ShadowOptions& options);
+  ~Shadows();
+  Shadows(const Shadows&) = delete;
+  Shadows& operator=(const Shadows&) = delete;
 
   const ShadowOptions& options() const { return options_; }
   const World& world() const { return world_; }
+  const LightViews& lights() const { return lights_; }
   /// True for area: radiance is summed over light_points() with the cosines inside; false: the
   /// unshadowed light is multiplied by the visible fraction.
   bool sums_light_points() const { return options_.kind == ShadowKind::area; }
@@ -79,13 +85,25 @@ class Shadows {
   Visibility visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                         ShadowCounts& counts) const;
 
-  /// The same for area, with the light's points left in `points` (cleared first).
+  /// With an error limit: the search in two steps, for callers who know the neighbours; else null.
+  const AdaptiveArea* adaptive() const { return adaptive_.get(); }
+
+  /// The same for area, with the light's points left in `points` (cleared first); none where the
+  /// whole light is known to be seen.
   Visibility light_points(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                           std::vector<LightPoint>& points, ShadowCounts& counts) const;
 
  private:
+  float hard(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
+  float parker(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
+  float composite(const ConeQuery& query, ConeCounts& counts) const;
+
   const World& world_;
   ShadowOptions options_;
+  LightViews lights_;
+  LightSamples samples_;
+  SearchLimit limit_;
+  std::unique_ptr<AdaptiveArea> adaptive_;
 };
 
 }  // namespace penumbra

@@ -1,0 +1,39 @@
+// What a person asked for on the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/render.h"
+#include "scene/scene.h"
+
+namespace penumbra::app {
+
+enum class Command { render, probe, info, make_new };
+
+/// One `--aov NAME=FILE.exr`.
+struct AovRequest {
+  std::string name;  ///< visibility, depth, normal or error
+  std::string file;
+};
+
+struct Arguments {
+  Command command = Command::render;
+  std::string scene;          ///< the scene file; of `new`, the file to write
+  std::string output;         ///< -o; empty = standard output (probe)
+  std::string points;         ///< probe: the CSV of points
+  std::string camera = "0";   ///< name or index
+  RenderOptions render;       ///< its camera is set once the scene is known
+  std::vector<Light> lights;  ///< --light
+  bool keep_scene_lights = true;
+  float light_size = 1;
+  std::vector<AovRequest> aovs;
+  std::string stats;  ///< file of --stats; empty = none
+  int threads = 0;    ///< 0 = all cores
+  bool quiet = false;
+  bool schema = false;                    ///< new: the schema instead of a scene
+  std::vector<std::string> given;         ///< names of the options that were given
+  std::vector<std::string> command_line;  ///< as it was typed
+};
+
+}  // namespace penumbra::app

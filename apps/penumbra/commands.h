@@ -1,0 +1,19 @@
+// The subcommands.
+#pragma once
+
+#include <string_view>
+
+#include "arguments.h"
+#include "console.h"
+
+namespace penumbra::app {
+
+void run_render(Arguments& arguments, Console& console);
+void run_probe(const Arguments& arguments, Console& console);
+void run_info(const Arguments& arguments);
+void run_new(const Arguments& arguments);
+
+/// Writes all of it to standard output; throws WorkError.
+void print(std::string_view text);
+
+}  // namespace penumbra::app

@@ -1,0 +1,52 @@
+#include "interrupt.h"
+
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "base/cancel.h"
+
+namespace penumbra::app {
+namespace {
+
+sem_t interrupted;
+
+// Only what a signal handler may do.
+void on_signal(int) {
+  cancel_requested = true;
+  sem_post(&interrupted);
+}
+
+void end_after_grace() {
+  while (sem_wait(&interrupted) != 0) {
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  remove_unfinished_files();
+  std::fputs("penumbra: stopped\n", stderr);
+  ::_exit(130);
+}
+
+}  // namespace
+
+void stop_on_interrupt() {
+  sem_init(&interrupted, 0, 0);
+  std::thread(end_after_grace).detach();
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    sigaction(signal, nullptr, &old);
+    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
+  // A file-size limit is then an error of write(2) like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace penumbra::app

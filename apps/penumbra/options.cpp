@@ -1,0 +1,228 @@
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/error.h"
+#include "light_spec.h"
+#include "values.h"
+
+namespace penumbra::app {
+namespace {
+
+using Names = std::span<const std::string_view>;
+constexpr std::array<std::string_view, 4> kShadows{"none", "hard", "area", "parker"};
+constexpr std::array<std::string_view, 4> kLaterShadows{"heckbert-herf", "sdf-classic",
+                                                        "sdf-improved", "sdf-inner"};
+constexpr std::array<std::string_view, 3> kProfiles{"cubic", "sine", "linear"};
+constexpr std::array<std::string_view, 3> kComposites{"min", "multiply", "add"};
+constexpr std::array<std::string_view, 4> kAovs{"visibility", "depth", "normal", "error"};
+constexpr std::array<std::string_view, 2> kDevices{"auto", "cpu"};
+constexpr std::array<std::string_view, 7> kPictureOptions{
+    "--size", "--camera", "--spp", "--exposure", "--mirror-depth", "--aov", "--device"};
+
+ShadowKind read_shadows(const std::string& text) {
+  if (std::find(kLaterShadows.begin(), kLaterShadows.end(), text) != kLaterShadows.end())
+    throw InputError(fmt::format("--shadows: {} is not in this version", text),
+                     "use " + listed(kShadows));
+  return static_cast<ShadowKind>(parse_choice("--shadows", text, kShadows));
+}
+
+int read_side(const std::string& text, const std::string& side) {
+  const std::string remedy = "write it as --size 960x540";
+  if (side.empty() || side.find_first_not_of("0123456789") != side.npos)
+    throw InputError(fmt::format("--size: '{}' is not WIDTHxHEIGHT", text), remedy);
+  if (side.find_first_not_of('0') == side.npos)
+    throw InputError(fmt::format("--size: {} has no pixels", text),
+                     "give at least 1x1, as in --size 960x540");
+  const std::string digits = side.substr(side.find_first_not_of('0'));
+  if (digits.size() > 9)
+    throw InputError(fmt::format("--size: {} is beyond any memory", text),
+                     "give at most 999999999 a side, and a size that fits");
+  return std::stoi(digits);
+}
+
+void read_size(const std::string& text, RenderOptions& options) {
+  const std::vector<std::string> sides = split(text, 'x');
+  if (sides.size() != 2)
+    throw InputError(fmt::format("--size: '{}' is not WIDTHxHEIGHT", text),
+                     "write it as --size 960x540");
+  options.width = read_side(text, sides[0]);
+  options.height = read_side(text, sides[1]);
+}
+
+AovRequest read_aov(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == text.npos || equals + 1 == text.size())
+    throw InputError(fmt::format("--aov: '{}' is not NAME=FILE.exr", text),
+                     "write it as --aov depth=depth.exr");
+  AovRequest aov{text.substr(0, equals), text.substr(equals + 1)};
+  if (aov.name == "steps")
+    throw InputError("--aov: steps is not in this version", "use " + listed(kAovs));
+  parse_choice("--aov", aov.name, kAovs);
+  if (!aov.file.ends_with(".exr"))
+    throw InputError(fmt::format("--aov: {} does not end in .exr", aov.file),
+                     fmt::format("write it as --aov {}={}.exr", aov.name, aov.name));
+  return aov;
+}
+
+void want_aov(const std::string& name, RenderOptions& options) {
+  if (name == "visibility") options.want_visibility = true;
+  if (name == "depth") options.want_depth = true;
+  if (name == "normal") options.want_normal = true;
+  if (name == "error") options.want_error = true;
+}
+
+void read_device(const std::string& text) {
+  if (text == "gl" || text == "rays")
+    throw InputError(fmt::format("--device: {} is not in this version", text),
+                     "use " + listed(kDevices));
+  parse_choice("--device", text, kDevices);
+}
+
+}  // namespace
+
+CLI::Option* add_value(CLI::App& command, Arguments& arguments, const std::string& names,
+                       const char* value_name, const char* shown_default,
+                       std::function<void(const std::string&)> read, const std::string& help) {
+  const std::string name = names.substr(0, names.find(','));
+  CLI::Option* option = command.add_option(
+      names,
+      [&arguments, name, read](const CLI::results_t& values) {
+        arguments.given.push_back(name);
+        for (const std::string& value : values) read(value);
+        return true;
+      },
+      help);
+  return option->type_name(value_name)->default_str(shown_default)->take_last();
+}
+
+bool is_picture_option(const std::string& name) {
+  return std::find(kPictureOptions.begin(), kPictureOptions.end(), name) != kPictureOptions.end();
+}
+
+void add_shadow_options(CLI::App& command, Arguments& a) {
+  ShadowOptions& shadows = a.render.shadows;
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    add_value(command, a, name, value, shown, read, help)->group("Shadows");
+  };
+  add(
+      "--shadows", "METHOD", "parker", [&](auto& t) { shadows.kind = read_shadows(t); },
+      "none, hard, area (the reference) or parker");
+  add(
+      "--light-samples", "N", "64",
+      [&](auto& t) {
+        shadows.light_samples = static_cast<int>(parse_integer("--light-samples", t, 1, 1 << 20));
+      },
+      "area: points on each light");
+  add(
+      "--error", "X", "", [&](auto& t) { shadows.error = parse_number("--error", t, 1e-4, 1); },
+      "area: adaptive, until the standard error of the visible fraction is below X");
+  add(
+      "--profile", "NAME", "cubic",
+      [&](auto& t) {
+        shadows.profile = static_cast<Profile>(parse_choice("--profile", t, kProfiles));
+      },
+      "parker: cubic, sine or linear penumbra");
+  add(
+      "--composite", "NAME", "min",
+      [&](auto& t) {
+        shadows.composite = static_cast<Composite>(parse_choice("--composite", t, kComposites));
+      },
+      "parker: min, multiply or add the shadows of objects");
+  add(
+      "--tolerance", "X", "0.02",
+      [&](auto& t) { shadows.tolerance = parse_number("--tolerance", t, 0, 1); },
+      "parker: allowed change of the visible fraction, 0 = exact");
+}
+
+void add_light_options(CLI::App& command, Arguments& a) {
+  add_value(
+      command, a, "--light", "SPEC", "", [&](auto& t) { a.lights.push_back(parse_light(t)); },
+      "add a light; repeatable. Three numbers a point or direction, emission one or three:\n"
+      "sphere:position,radius,radiance  disk:position,normal,radius,radiance\n"
+      "rect:corner,edge_u,edge_v,radiance  segment:from,to,radius,radiance\n"
+      "point:position,intensity  sun:direction,angular_diameter_deg,irradiance")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->group("Lights");
+  command
+      .add_flag_callback(
+          "--no-scene-lights", [&a] { a.keep_scene_lights = false; }, "leave out the file's lights")
+      ->group("Lights");
+  add_value(
+      command, a, "--light-size", "F", "1",
+      [&](auto& t) { a.light_size = parse_number("--light-size", t, 1e-6, 1e6); },
+      "scale all lights about their centres")
+      ->group("Lights");
+}
+
+void add_picture_options(CLI::App& command, Arguments& a) {
+  RenderOptions& render = a.render;
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    return add_value(command, a, name, value, shown, read, help)->group("Picture");
+  };
+  add(
+      "--size", "WxH", "960x540", [&](auto& t) { read_size(t, render); }, "pixels");
+  add(
+      "--camera", "NAME|INDEX", "0", [&](auto& t) { a.camera = t; }, "which of the scene's");
+  add(
+      "--spp", "N", "4",
+      [&](auto& t) { render.spp = static_cast<int>(parse_integer("--spp", t, 1, 65536)); },
+      "samples per pixel");
+  add(
+      "--exposure", "EV|auto", "auto",
+      [&](auto& t) {
+        render.exposure_ev.reset();
+        if (t != "auto") render.exposure_ev = parse_number("--exposure", t, -100, 100);
+      },
+      "stops of the PNG; auto chooses from the scene");
+  add(
+      "--mirror-depth", "N", "5",
+      [&](auto& t) {
+        render.mirror_depth = static_cast<int>(parse_integer("--mirror-depth", t, 0, 64));
+      },
+      "reflections followed");
+  add(
+      "--aov", "NAME=FILE.exr", "",
+      [&](auto& t) {
+        a.aovs.push_back(read_aov(t));
+        want_aov(a.aovs.back().name, render);
+      },
+      "also write visibility, depth, normal or error; repeatable")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+  add(
+      "--device", "NAME", "auto", [&](auto& t) { read_device(t); },
+      "auto or cpu, which are the same in this version");
+}
+
+void add_run_options(CLI::App& command, Arguments& a) {
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    add_value(command, a, name, value, shown, read, help)->group("Run");
+  };
+  add(
+      "--seed", "N", "0",
+      [&](auto& t) {
+        constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+        a.render.seed = static_cast<std::uint32_t>(parse_integer("--seed", t, 0, most));
+        a.render.shadows.seed = a.render.seed;
+      },
+      "of all sampling; the same seed gives the same bytes");
+  add(
+      "--threads", "N", "all",
+      [&](auto& t) { a.threads = static_cast<int>(parse_integer("--threads", t, 1, 1024)); },
+      "how many work");
+  add(
+      "--stats", "FILE.json", "", [&](auto& t) { a.stats = t; },
+      "write counts, seconds and memory");
+  command.add_flag("-q,--quiet", a.quiet, "say nothing but errors")->group("Run");
+}
+
+}  // namespace penumbra::app

@@ -1,0 +1,95 @@
+#include "prepare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "light_spec.h"
+#include "options.h"
+#include "scene/finish.h"
+#include "scene/load.h"
+
+namespace penumbra::app {
+namespace {
+
+bool is_idle(const std::string& option, const Arguments& a) {
+  if (a.command == Command::probe && is_picture_option(option)) return true;
+  const ShadowKind kind = a.render.shadows.kind;
+  if (option == "--light-samples" || option == "--error") return kind != ShadowKind::area;
+  if (option == "--profile" || option == "--composite" || option == "--tolerance")
+    return kind != ShadowKind::parker;
+  return false;
+}
+
+// A scene without lights is wanted as it is if its own were dropped on purpose: a stand-in keeps
+// the key light away.
+void add_what_is_missing(Scene& scene, bool want_light) {
+  if (!want_light) scene.lights.emplace_back();
+  add_missing_camera_and_light(scene);
+  if (!want_light) scene.lights.pop_back();
+}
+
+void repeat_report(const LoadReport& report, Console& console) {
+  for (const std::string& text : report.conversions) console.remark(text);
+  for (const std::string& text : report.warnings) console.warn(text);
+}
+
+std::string camera_remedy(const Scene& scene, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Camera& camera : scene.cameras)
+    if (!camera.name.empty()) names.push_back(camera.name);
+  const std::string indices =
+      scene.cameras.size() == 1 ? "0" : fmt::format("0 to {}", scene.cameras.size() - 1);
+  if (names.empty()) return fmt::format("give an index, {}", indices);
+  return fmt::format("did you mean '{}'? An index, {}, will do too", nearest_name(name, names),
+                     indices);
+}
+
+}  // namespace
+
+void warn_of_idle_options(const Arguments& arguments, Console& console) {
+  for (const std::string& option : arguments.given)
+    if (is_idle(option, arguments))
+      console.warn(fmt::format("{} has no effect {}", option,
+                               is_picture_option(option) ? "on probe" : "with this method"));
+}
+
+Scene prepare_scene(const Arguments& arguments, Console& console) {
+  console.start("load", 0);
+  Scene scene = load_scene(arguments.scene, {.add_missing_camera_and_light = false});
+  if (!arguments.keep_scene_lights) drop_lights(scene);
+  scene.lights.insert(scene.lights.end(), arguments.lights.begin(), arguments.lights.end());
+  add_what_is_missing(scene, arguments.keep_scene_lights && scene.lights.empty());
+  const std::vector<std::string> warnings = arguments.light_size == 1
+                                                ? std::vector<std::string>{}
+                                                : scale_lights(scene, arguments.light_size);
+  console.finish();
+  repeat_report(scene.report, console);
+  for (const std::string& text : warnings) console.warn(text);
+  return scene;
+}
+
+int chosen_camera(const Scene& scene, const std::string& name_or_index) {
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    if (scene.cameras[i].name == name_or_index) return static_cast<int>(i);
+  std::size_t index = 0;
+  const char* end = name_or_index.data() + name_or_index.size();
+  const auto [stop, error] = std::from_chars(name_or_index.data(), end, index);
+  if (error == std::errc() && stop == end && index < scene.cameras.size())
+    return static_cast<int>(index);
+  throw InputError(fmt::format("--camera: the scene has no camera '{}'", name_or_index),
+                   camera_remedy(scene, name_or_index));
+}
+
+std::unique_ptr<World> build_world(const Scene& scene, const Arguments& arguments,
+                                   Console& console) {
+  console.start("build", 0);
+  auto world = std::make_unique<World>(scene, arguments.render.shadows.kind == ShadowKind::parker);
+  console.finish();
+  return world;
+}
+
+}  // namespace penumbra::app

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "memory.h"
+#include "outputs.h"
+#include "prepare.h"
+#include "stats.h"
+
+namespace penumbra::app {
+namespace {
+
+void want_layers(Arguments& arguments) {
+  RenderOptions& options = arguments.render;
+  if (!has_extension(arguments.output, ".exr")) return;
+  options.want_visibility = options.want_depth = options.want_normal = true;
+  if (options.shadows.kind == ShadowKind::area && options.shadows.error) options.want_error = true;
+}
+
+// Seconds that the commands measure themselves.
+struct Phases {
+  double load = 0, build = 0, write = 0;
+};
+
+Json::Value stats_of(const Arguments& arguments, const Scene& scene, const World& world,
+                     const RenderStats& render, const Phases& phases) {
+  Json::Value json = common_stats(arguments, scene, world);
+  json["seconds"]["load"] = phases.load;
+  json["seconds"]["build"] = phases.build + render.seconds_build;
+  json["seconds"]["render"] = render.seconds_render;
+  json["seconds"]["write"] = phases.write;
+  json["rays"]["primary"] = static_cast<Json::UInt64>(render.primary_rays);
+  json["rays"]["mirror"] = static_cast<Json::UInt64>(render.mirror_rays);
+  add_shadow_counts(json, render.shadows);
+  json["exposure_ev"] = render.exposure_ev;
+  json["size"].append(arguments.render.width);
+  json["size"].append(arguments.render.height);
+  json["samples_per_pixel"] = arguments.render.spp;
+  return json;
+}
+
+}  // namespace
+
+void run_render(Arguments& arguments, Console& console) {
+  want_layers(arguments);
+  check_outputs(arguments);
+  check_picture_fits(arguments, arguments.lights.size());
+  warn_of_idle_options(arguments, console);
+  Phases phases;
+  const Stopwatch load;
+  const Scene scene = prepare_scene(arguments, console);
+  phases.load = load.seconds();
+  arguments.render.camera = chosen_camera(scene, arguments.camera);
+  check_picture_fits(arguments, scene.lights.size());
+  const Stopwatch build;
+  const std::unique_ptr<World> world = build_world(scene, arguments, console);
+  phases.build = build.seconds();
+  const RenderResult result = render(*world, arguments.render, console);
+  console.remark(fmt::format("exposure: {:.2f} EV{}", result.stats.exposure_ev,
+                             arguments.render.exposure_ev ? "" : " (from the scene)"));
+  const Stopwatch write;
+  console.start("write", 0);
+  write_outputs(arguments, scene, result);
+  console.finish();
+  phases.write = write.seconds();
+  if (!arguments.stats.empty())
+    write_stats(arguments.stats, stats_of(arguments, scene, *world, result.stats, phases));
+}
+
+}  // namespace penumbra::app

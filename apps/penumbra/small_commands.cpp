@@ -1,0 +1,35 @@
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "commands.h"
+#include "outputs.h"
+#include "scene/info.h"
+#include "scene/load.h"
+#include "scene/starter.h"
+
+namespace penumbra::app {
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw WorkError({"standard output"},
+                    std::string("cannot be written (") + std::strerror(errno) + ")",
+                    "free some space or choose another output");
+}
+
+void run_info(const Arguments& arguments) { print(describe(load_scene(arguments.scene))); }
+
+void run_new(const Arguments& arguments) {
+  const std::string& file = arguments.scene;
+  if (!has_extension(file, ".json"))
+    throw InputError({file}, "this is no scene file's name", "let it end in .json");
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored))
+    throw WorkError({file}, "this file is there already", "choose another name");
+  write_file(file, std::string(arguments.schema ? scene_schema() : starter_scene()));
+}
+
+}  // namespace penumbra::app

@@ -1,0 +1,20 @@
+// The JSON of --stats.
+#pragma once
+
+#include <json/value.h>
+
+#include "arguments.h"
+#include "geometry/world.h"
+#include "render/render.h"
+
+namespace penumbra::app {
+
+/// What every command reports: program, command line, scene counts, threads, memory.
+Json::Value common_stats(const Arguments& arguments, const Scene& scene, const World& world);
+
+void add_shadow_counts(Json::Value& stats, const ShadowCounts& counts);
+
+/// Adds the peak of memory and writes the file; throws WorkError.
+void write_stats(const std::string& file, Json::Value stats);
+
+}  // namespace penumbra::app

@@ -1,0 +1,77 @@
+#include "render/exposure.h"
+
+#include "render/hash.h"
+#include "render/tile_renderer.h"
+
+namespace penumbra {
+namespace {
+
+constexpr double percentile = 0.9, shown_as = 0.8;
+
+std::vector<TileRay> grid_rays(const CameraRays& camera) {
+  std::vector<TileRay> rays;
+  for (int y = 0; y < exposure_grid_height; ++y)
+    for (int x = 0; x < exposure_grid_width; ++x) {
+      TileRay ray;
+      ray.beam = camera.at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      ray.pixel = static_cast<std::uint32_t>(rays.size());
+      ray.stream = mix64(ray.pixel);
+      rays.push_back(ray);
+    }
+  return rays;
+}
+
+/// EV for a set of luminances; nothing for an empty or black one.
+std::optional<float> exposure_for(std::vector<float> luminances) {
+  if (luminances.empty()) return {};
+  const auto rank =
+      static_cast<std::ptrdiff_t>(percentile * static_cast<double>(luminances.size() - 1));
+  std::nth_element(luminances.begin(), luminances.begin() + rank, luminances.end());
+  const float bright = luminances[static_cast<std::size_t>(rank)];
+  if (!(bright > 0) || !std::isfinite(bright)) return {};
+  return static_cast<float>(std::log2(shown_as / double(bright)));
+}
+
+struct Seen {
+  std::vector<float> all, lit, emission;
+};
+
+Seen look(const World& world, const CameraRays& camera, const DirectLight& lights,
+          const MaterialLookup& materials) {
+  ShadowOptions hard;
+  hard.kind = ShadowKind::hard;
+  const Shadows shadows(world, hard);
+  const Vec3 ambient = world.scene().ambient;
+  std::vector<TilePoint> points;
+  std::vector<Vec3> radiance;
+  ShadowCounts counts;
+  trace(world, materials, grid_rays(camera), points);
+  PointShader().shade(lights, shadows, ambient, points, radiance, nullptr, counts);
+  Seen seen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ShadingPoint& p = points[i].shading;
+    const Vec3 unlit = ambient * (p.diffuse + p.specular);
+    if (max_component(p.emission) > 0) {
+      seen.emission.push_back(luminance(p.emission));
+      continue;
+    }
+    if (!p.is_diffuse() && !p.is_glossy()) continue;
+    seen.all.push_back(luminance(radiance[i]));
+    if (radiance[i] != unlit) seen.lit.push_back(luminance(radiance[i]));
+  }
+  return seen;
+}
+
+}  // namespace
+
+float automatic_exposure(const World& world, const CameraRays& camera, const DirectLight& lights,
+                         const MaterialLookup& materials) {
+  const Seen seen = look(world, camera, lights, materials);
+  const bool enough_lit = seen.lit.size() * 100 >= seen.all.size();
+  const auto by_surfaces = exposure_for(enough_lit && !seen.lit.empty() ? seen.lit : seen.all);
+  if (by_surfaces) return *by_surfaces;
+  if (const auto ev = exposure_for({luminance(world.scene().background)})) return *ev;
+  return exposure_for(seen.emission).value_or(0.0f);
+}
+
+}  // namespace penumbra

@@ -1,0 +1,106 @@
+#include "render/render.h"
+
+#include <chrono>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "render/exposure.h"
+#include "render/tile_renderer.h"
+
+namespace penumbra {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void check(const Scene& scene, const RenderOptions& o) {
+  if (o.width < 1 || o.height < 1)
+    throw InputError(fmt::format("a picture of {}x{} pixels has no pixel", o.width, o.height),
+                     "give a size of at least 1x1");
+  if (o.spp < 1)
+    throw InputError(fmt::format("{} samples per pixel show nothing", o.spp), "give at least 1");
+  if (o.camera < 0 || static_cast<std::size_t>(o.camera) >= scene.cameras.size())
+    throw InputError(fmt::format("there is no camera {}", o.camera),
+                     fmt::format("the scene has {}, numbered from 0", scene.cameras.size()));
+}
+
+RenderResult empty_result(const RenderOptions& o, std::size_t lights) {
+  RenderResult result;
+  result.color = Image(o.width, o.height, 3);
+  if (o.want_visibility) result.visibility.assign(lights, Image(o.width, o.height, 1));
+  if (o.want_depth) result.depth = Image(o.width, o.height, 1);
+  if (o.want_normal) result.normal = Image(o.width, o.height, 3);
+  if (o.want_error) result.error = Image(o.width, o.height, 1);
+  return result;
+}
+
+/// Tiles cover the picture row by row.
+class Tiling {
+ public:
+  Tiling(int width, int height)
+      : width_(width), height_(height), across_(tiles(width)), down_(tiles(height)) {}
+
+  std::size_t count() const { return across_ * down_; }
+  Tile tile(std::size_t i) const {
+    const int x0 = static_cast<int>(i % across_) * Tile::size;
+    const int y0 = static_cast<int>(i / across_) * Tile::size;
+    return {x0, y0, std::min(width_, x0 + Tile::size), std::min(height_, y0 + Tile::size)};
+  }
+
+ private:
+  static std::size_t tiles(int pixels) {
+    return (static_cast<std::size_t>(pixels) + Tile::size - 1) / Tile::size;
+  }
+
+  int width_, height_;
+  std::size_t across_, down_;
+};
+
+void render_tiles(const RenderSetup& setup, RenderResult& result, Progress& progress) {
+  const Tiling tiling(setup.options.width, setup.options.height);
+  std::mutex mutex;
+  progress.start("render", tiling.count());
+  parallel_for(tiling.count(), [&](std::size_t i) {
+    thread_local TileScratch scratch;
+    const TileCounts counts = render_tile(setup, tiling.tile(i), scratch, result);
+    {
+      const std::lock_guard lock(mutex);
+      result.stats.primary_rays += counts.primary_rays;
+      result.stats.mirror_rays += counts.mirror_rays;
+      result.stats.shadows += counts.shadows;
+    }
+    progress.advance(1);
+  });
+  progress.finish();
+}
+
+}  // namespace
+
+RenderResult render(const World& world, const RenderOptions& options, Progress& progress) {
+  const Scene& scene = world.scene();
+  check(scene, options);
+  const auto build_start = Clock::now();
+  RenderResult result = empty_result(options, scene.lights.size());
+  const Shadows shadows(world, options.shadows);
+  const DirectLight lights(shadows.lights());
+  const MaterialLookup materials(scene);
+  const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
+  const CameraRays camera(view, options.width, options.height);
+  const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
+  result.stats.exposure_ev = options.exposure_ev
+                                 ? *options.exposure_ev
+                                 : automatic_exposure(world, coarse, lights, materials);
+  result.stats.seconds_build = seconds_since(build_start);
+  const auto render_start = Clock::now();
+  render_tiles({world, options, lights, materials, shadows, camera}, result, progress);
+  result.stats.seconds_render = seconds_since(render_start);
+  return result;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,155 @@
+#include "render/tile_renderer.h"
+
+#include "render/hash.h"
+#include "render/pixel_samples.h"
+#include "render/tile_aovs.h"
+
+namespace penumbra {
+namespace {
+
+constexpr float least_throughput = 1.0f / 500;
+
+/// Sample `sample` of every pixel of the tile. Pixels are numbered over the whole picture, so that
+/// tiles leave no trace.
+void primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
+                  std::vector<TileRay>& rays) {
+  const RenderOptions& o = setup.options;
+  const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
+  const Vec2 at = pixel_sample(sample, o.spp);
+  rays.resize(static_cast<std::size_t>(tile.pixel_count()));
+  std::uint32_t pixel = 0;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x, ++pixel) {
+      const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
+                          static_cast<std::uint64_t>(x);
+      TileRay& ray = rays[pixel];
+      ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
+      ray.beam.width *= beam_share;
+      ray.beam.spread *= beam_share;
+      ray.throughput = Vec3(1.0f);
+      ray.pixel = pixel;
+      ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
+    }
+}
+
+void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surface& surface,
+               const MaterialLookup& materials) {
+  point.width = ray.beam.width + ray.beam.spread * hit.t;
+  point.spread = ray.beam.spread;
+  point.shading = materials.at(surface, -ray.beam.ray.direction, point.width);
+  point.receiver = receiver_of(surface);
+  point.normal = surface.normal;
+  point.throughput = ray.throughput;
+  point.t = hit.t;
+  point.pixel = ray.pixel;
+  point.stream = ray.stream;
+}
+
+/// The mirrored direction; where the shading normal would send it into the surface, it is turned
+/// back out.
+Vec3 mirrored(const TilePoint& point) {
+  const Vec3 &n = point.shading.normal, &v = point.shading.to_viewer;
+  const Vec3 r = n * (2 * dot(n, v)) - v;
+  const float out = dot(r, point.normal);
+  return normalize(out > 0 ? r : r - point.normal * (2.001f * out));
+}
+
+void mirror_rays(const World& world, std::span<const TilePoint> points,
+                 std::vector<TileRay>& rays) {
+  rays.clear();
+  for (const TilePoint& point : points) {
+    const Vec3 throughput = point.throughput * point.shading.mirror;
+    if (!(max_component(throughput) > least_throughput)) continue;
+    TileRay ray;
+    const Vec3& p = point.shading.position;
+    ray.beam.ray.origin = p + point.normal * (4 * world.epsilon_at(p));
+    ray.beam.ray.direction = mirrored(point);
+    ray.beam.width = point.width;
+    ray.beam.spread = point.spread;
+    ray.throughput = throughput;
+    ray.pixel = point.pixel;
+    ray.stream = mix64(point.stream);
+    rays.push_back(ray);
+  }
+}
+
+/// Adds to a tile's pixels of the colour image.
+class PixelSums {
+ public:
+  PixelSums(const Tile& tile, int spp, Image& image)
+      : tile_(tile), image_(image), share_(1 / static_cast<float>(spp)) {}
+
+  void add(std::uint32_t pixel, const Vec3& radiance) {
+    const int i = static_cast<int>(pixel);
+    float* rgb = image_.at(tile_.x0 + i % tile_.width(), tile_.y0 + i / tile_.width());
+    for (int c = 0; c < 3; ++c) rgb[c] += radiance[c] * share_;
+  }
+
+ private:
+  const Tile& tile_;
+  Image& image_;
+  float share_;
+};
+
+/// What the rays that met nothing see. `points` are those of the others, in the rays' order.
+void add_background(const Vec3& background, std::span<const TileRay> rays,
+                    std::span<const TilePoint> points, PixelSums& sums) {
+  auto met = points.begin();
+  for (const TileRay& ray : rays) {
+    if (met != points.end() && met->pixel == ray.pixel)
+      ++met;
+    else
+      sums.add(ray.pixel, background * ray.throughput);
+  }
+}
+
+/// Rays of one generation, at most one for each pixel, are traced and shaded.
+void shade_generation(const RenderSetup& setup, ArrivalObserver* observer, TileScratch& scratch,
+                      PixelSums& sums, ShadowCounts& counts) {
+  const Scene& scene = setup.world.scene();
+  add_background(scene.background, scratch.rays, scratch.points, sums);
+  scratch.shader.shade(setup.lights, setup.shadows, scene.ambient, scratch.points, scratch.radiance,
+                       observer, counts);
+  for (std::size_t i = 0; i < scratch.points.size(); ++i) {
+    const TilePoint& p = scratch.points[i];
+    sums.add(p.pixel, p.throughput * (scratch.radiance[i] + p.shading.emission));
+  }
+}
+
+}  // namespace
+
+void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
+           std::vector<TilePoint>& points) {
+  points.resize(rays.size());
+  std::size_t count = 0;
+  for (const TileRay& ray : rays)
+    if (const auto hit = world.intersect(ray.beam.ray))
+      set_point(points[count++], ray, *hit, world.surface(ray.beam.ray, *hit), materials);
+  points.resize(count);
+}
+
+TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& scratch,
+                       RenderResult& result) {
+  const RenderOptions& o = setup.options;
+  TileCounts counts;
+  TileAovs aovs(setup, tile, scratch.squared_errors, result);
+  PixelSums sums(tile, o.spp, result.color);
+  for (int sample = 0; sample < o.spp; ++sample) {
+    primary_rays(setup, tile, sample, scratch.rays);
+    counts.primary_rays += scratch.rays.size();
+    for (int depth = 0;; ++depth) {
+      trace(setup.world, setup.materials, scratch.rays, scratch.points);
+      if (depth == 0) aovs.met(scratch.points);
+      shade_generation(setup, depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr, scratch, sums,
+                       counts.shadows);
+      if (depth == o.mirror_depth) break;
+      mirror_rays(setup.world, scratch.points, scratch.rays);
+      if (scratch.rays.empty()) break;
+      counts.mirror_rays += scratch.rays.size();
+    }
+  }
+  aovs.finish();
+  return counts;
+}
+
+}  // namespace penumbra

@@ -1,0 +1,57 @@
+// The scene while its sections are read, and these sections. Internal to the JSON reader.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/json/object_reader.h"
+#include "scene/scene.h"
+
+namespace penumbra::json {
+
+/// What a model file became: its instances as the file places them.
+struct Model {
+  std::vector<Instance> instances;
+};
+
+/// The scene that a document describes, unfinished; InputError with the place.
+Scene read_scene(const Document& document);
+
+struct Builder {
+  const Document& document;
+  Scene scene{};
+  std::map<std::string, std::uint32_t, std::less<>> materials{};  ///< index by name
+  std::map<std::string, int> textures{};                ///< index by path; -1 = cannot be decoded
+  std::map<std::string, Model> models{};                ///< by path: a file is read once
+  std::map<std::uint32_t, std::uint32_t> untextured{};  ///< copies of materials, for spheres
+  std::vector<Light> sphere_lights{};                   ///< from emissive sphere objects
+};
+
+/// "camera" or "cameras" of the scene object.
+void read_cameras(Builder& builder, ObjectReader& scene);
+/// Before objects: these name materials.
+void read_materials(Builder& builder, const Json::Value& materials);
+void read_lights(Builder& builder, const Json::Value& lights);
+/// Also appends sphere_lights to the lights, so after read_lights.
+void read_objects(Builder& builder, const Json::Value& objects);
+
+/// The "material" of an object.
+std::uint32_t required_material(Builder& builder, ObjectReader& object);
+std::optional<std::uint32_t> optional_material(Builder& builder, ObjectReader& object);
+
+// The types of object; `object` is the index into Scene::objects.
+void read_quad(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_box(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_polygon(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_mesh(Builder& builder, ObjectReader& reader, std::uint32_t object);
+
+/// Throws InputError at "edge_v" if "edge_u" and "edge_v" span no area.
+void refuse_parallel_edges(const ObjectReader& reader, const Vec3d& u, const Vec3d& v);
+
+/// Adds a mesh that stands where its vertices say.
+void add_mesh(Builder& builder, Mesh mesh, std::uint32_t material, std::uint32_t object);
+
+}  // namespace penumbra::json

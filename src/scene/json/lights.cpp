@@ -1,0 +1,85 @@
+#include <numbers>
+
+#include "scene/json/builder.h"
+
+namespace penumbra::json {
+namespace {
+
+void sphere_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::sphere;
+  light.position = reader.required("position", point);
+  light.radius = reader.required("radius", positive);
+  light.emission = reader.required("radiance", light_colour);
+  reader.done();
+}
+
+void disk_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::disk;
+  light.position = reader.required("position", point);
+  const Vec3 normal = reader.required("normal", nonzero_vector);
+  light.radius = reader.required("radius", positive);
+  light.emission = reader.required("radiance", light_colour);
+  reader.done();
+  light.normal = Vec3(normalize(Vec3d(normal)));
+}
+
+void rect_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::rect;
+  const Vec3d corner(reader.required("corner", point));
+  const Vec3d u(light.edge_u = reader.required("edge_u", nonzero_vector));
+  const Vec3d v(light.edge_v = reader.required("edge_v", nonzero_vector));
+  light.emission = reader.required("radiance", light_colour);
+  reader.done();
+  refuse_parallel_edges(reader, u, v);
+  light.position = Vec3(corner + (u + v) * 0.5);
+  light.normal = Vec3(normalize(cross(u, v)));
+}
+
+void segment_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::segment;
+  const Vec3d from(reader.required("from", point));
+  const Vec3d to(reader.required("to", point));
+  light.radius = reader.required("radius", positive);
+  light.emission = reader.required("radiance", light_colour);
+  reader.done();
+  if (length(to - from) < 1e-12)
+    reader.refuse_key("to", "the segment light has no length", "move \"from\" or \"to\"");
+  light.position = Vec3((from + to) * 0.5);
+  light.edge_u = Vec3(to - from);
+}
+
+void point_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::point;
+  light.position = reader.required("position", point);
+  light.emission = reader.required("intensity", light_colour);
+  reader.done();
+}
+
+void sun_light(ObjectReader& reader, Light& light) {
+  light.type = LightType::sun;
+  const Vec3 direction = reader.required("direction", nonzero_vector);
+  light.angular_diameter = reader.optional("angular_diameter_deg", angular_diameter_deg, 0.53f) *
+                           std::numbers::pi_v<float> / 180.0f;
+  light.emission = reader.required("irradiance", light_colour);
+  reader.done();
+  light.direction = Vec3(normalize(Vec3d(direction)));
+}
+
+using LightFunction = void (*)(ObjectReader&, Light&);
+constexpr TypeEntry<LightFunction> light_types[] = {
+    {"sphere", sphere_light},   {"disk", disk_light},   {"rect", rect_light},
+    {"segment", segment_light}, {"point", point_light}, {"sun", sun_light}};
+
+}  // namespace
+
+void read_lights(Builder& builder, const Json::Value& lights) {
+  for (const Json::Value& value : lights) {
+    ObjectReader reader(builder.document, value, "a light");
+    const LightFunction read = choose_by_type(reader, light_types);
+    Light& light = builder.scene.lights.emplace_back();
+    light.name = reader.optional<std::string>("name", text, {});
+    read(reader, light);
+  }
+}
+
+}  // namespace penumbra::json

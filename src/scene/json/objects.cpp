@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include "base/cancel.h"
+#include "scene/json/builder.h"
+
+namespace penumbra::json {
+namespace {
+
+// Triangles and spheres are all that the shadow methods of this version take.
+void refuse_sdf(ObjectReader& reader) {
+  const Json::Value* type = reader.find("type");
+  if (type && *type == "sdf")
+    reader.refuse_key("type",
+                      "distance-field objects (\"sdf\") are not supported yet by this version's "
+                      "triangle methods",
+                      "use quad, sphere, box, polygon or mesh objects");
+}
+
+using ObjectFunction = void (*)(Builder&, ObjectReader&, std::uint32_t);
+constexpr TypeEntry<ObjectFunction> object_types[] = {{"quad", read_quad},
+                                                      {"sphere", read_sphere},
+                                                      {"box", read_box},
+                                                      {"polygon", read_polygon},
+                                                      {"mesh", read_mesh}};
+
+std::string name_of(ObjectReader& reader, std::size_t index) {
+  const std::string kind = reader.noun().substr(reader.noun().find(' ') + 1);
+  const std::string type = kind.substr(0, kind.find(' '));
+  return reader.optional("name", text, fmt::format("{} {}", type, index));
+}
+
+}  // namespace
+
+void read_objects(Builder& builder, const Json::Value& objects) {
+  Scene& scene = builder.scene;
+  for (const Json::Value& value : objects) {
+    throw_if_cancelled();
+    ObjectReader reader(builder.document, value, "an object");
+    refuse_sdf(reader);
+    const ObjectFunction read = choose_by_type(reader, object_types);
+    const std::size_t index = scene.objects.size();
+    scene.objects.push_back({name_of(reader, index)});
+    read(builder, reader, static_cast<std::uint32_t>(index));
+  }
+  scene.lights.insert(scene.lights.end(), builder.sphere_lights.begin(),
+                      builder.sphere_lights.end());
+}
+
+void add_mesh(Builder& builder, Mesh mesh, std::uint32_t material, std::uint32_t object) {
+  Scene& scene = builder.scene;
+  mesh.name = scene.objects[object].name;
+  Instance instance;
+  instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
+  instance.material = material;
+  instance.object = object;
+  scene.instances.push_back(instance);
+  scene.meshes.push_back(std::move(mesh));
+}
+
+}  // namespace penumbra::json

@@ -1,0 +1,66 @@
+#include "scene/load.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "base/error.h"
+#include "scene/finish.h"
+
+namespace penumbra {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  Scene (*read)(const std::string&);
+};
+constexpr Format formats[] = {
+    {".json", read_json_scene}, {".gltf", read_gltf},  {".glb", read_gltf}, {".obj", read_obj},
+    {".ply", read_ply},         {".ply.gz", read_ply}, {".stl", read_stl}};
+
+std::string lower_case_name(const std::string& path) {
+  std::string name = std::filesystem::path(path).filename().string();
+  for (char& c : name)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name;
+}
+
+[[noreturn]] void refuse_format(const std::string& path, const std::string& name,
+                                std::span<const Format> known) {
+  if (name.ends_with(".glsl"))
+    throw InputError(Place{path},
+                     "distance-field shaders (.glsl) are not supported by this version",
+                     "use a scene of triangles and spheres");
+  std::string list;
+  for (const Format& format : known) (list += list.empty() ? "" : ", ") += format.extension;
+  const std::string extension = std::filesystem::path(name).extension().string();
+  throw InputError(Place{path},
+                   extension.empty() ? "the file name has no extension"
+                                     : "unknown file format \"" + extension + "\"",
+                   "known are " + list);
+}
+
+Scene read_as(const std::string& path, std::span<const Format> known) {
+  const std::string name = lower_case_name(path);
+  const auto format =
+      std::ranges::find_if(known, [&](const Format& f) { return name.ends_with(f.extension); });
+  if (format == known.end()) refuse_format(path, name, known);
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+    throw InputError(Place{path}, "there is no such file", "check the name");
+  return format->read(path);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path, const LoadOptions& options) {
+  Scene scene = read_as(path, formats);
+  finish_scene(scene, path);
+  if (options.add_missing_camera_and_light) add_missing_camera_and_light(scene);
+  return scene;
+}
+
+Scene read_model(const std::string& path) { return read_as(path, std::span(formats).subspan(1)); }
+
+}  // namespace penumbra
