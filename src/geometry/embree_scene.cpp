@@ -67,6 +67,8 @@ void give_positions(RTCGeometry geometry, const std::vector<Vec3>& positions) {
   }
 }
 
+const RTCSceneFlags scene_flags = RTC_SCENE_FLAG_ROBUST | rtc::query_filter;
+
 // Embree's AVX2 kernels trace 8 rays at once natively.
 constexpr std::size_t packet_size = 8;
 
@@ -78,7 +80,7 @@ EmbreeScene::EmbreeScene(const Scene& scene) : scene_(scene), masks_(scene) {
   rtcSetDeviceErrorFunction(device_, refuse, nullptr);
   rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &bytes_);
   top_ = rtcNewScene(device_);
-  rtcSetSceneFlags(top_, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(top_, scene_flags);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) attach(i);
   attach_spheres();
   rtcCommitScene(top_);
@@ -112,7 +114,7 @@ RTCScene EmbreeScene::scene_of(const Instance& instance) {
   RTCScene& shared = shared_[{instance.mesh, instance.material}];
   if (shared) return shared;
   shared = rtcNewScene(device_);
-  rtcSetSceneFlags(shared, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(shared, scene_flags);
   RTCGeometry geometry = make_triangles(instance);
   rtcAttachGeometry(shared, geometry);
   rtcReleaseGeometry(geometry);

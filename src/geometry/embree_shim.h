@@ -12,6 +12,8 @@ namespace penumbra::rtc {
 #if RTC_VERSION_MAJOR >= 4
 
 using Context = RTCRayQueryContext;
+/// What a scene needs for queries with a filter of their own.
+inline constexpr auto query_filter = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 inline void init(Context& context) { rtcInitRayQueryContext(&context); }
 
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray_hit) {
@@ -51,6 +53,8 @@ inline void occluded(const int* valid, RTCScene scene, Context& context, RTCFilt
 #else
 
 using Context = RTCIntersectContext;
+/// What a scene needs for queries with a filter of their own.
+inline constexpr auto query_filter = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 inline void init(Context& context) { rtcInitIntersectContext(&context); }
 
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray_hit) {

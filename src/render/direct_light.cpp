@@ -21,6 +21,11 @@ void set_spot(const Light& light, float& scale, float& offset) {
   offset = -light.spot_cos_outer * scale;
 }
 
+/// A light so small that it does not widen the lobe by a thousandth.
+bool one_lobe_is_enough(float solid_angle, float alpha) {
+  return 0.25f * solid_angle < 1e-3f * alpha * alpha;
+}
+
 /// Squared distance of a point light; what is nearer than a micrometre counts as that far.
 float point_distance2(const Vec3& to) { return std::max(dot(to, to), 1e-12f); }
 
@@ -138,11 +143,11 @@ float DirectLight::irradiance(std::size_t light, const Vec3& position, const Vec
 Glossy DirectLight::cone_glossy(const Source& source, const ShadingPoint& point, const Vec3& axis,
                                 float sin2) const {
   const Vec3 &n = point.normal, &v = point.to_viewer;
-  const float nv = std::max(dot(n, v), 1e-3f), alpha2 = point.alpha * point.alpha;
+  const float nv = std::max(dot(n, v), 1e-3f);
   const float unit = source.type == LightType::sun ? source.per_radiance : 1.0f;
   const float one_minus_cos = sin2 / (1 + std::sqrt(1 - sin2));
   const float whole = 2 * pi * one_minus_cos;
-  if (0.25f * whole < 1e-3f * alpha2)
+  if (one_lobe_is_enough(whole, point.alpha))
     return ggx(widened_alpha2(point.alpha, whole), nv, dot(n, axis), dot(v, axis)) * (whole * unit);
   // The set is turned with the mirrored viewer, so that it has no seam of its own.
   const Vec3 mirrored = n * (2 * dot(n, v)) - v, aside = mirrored - axis * dot(mirrored, axis);
@@ -162,22 +167,43 @@ Glossy DirectLight::cone_glossy(const Source& source, const ShadingPoint& point,
   return sum * (share * unit);
 }
 
-Glossy DirectLight::patch_glossy(const Source& source, const ShadingPoint& point) const {
-  const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
+float DirectLight::seen_solid_angle(const Source& source, const LightPatch& patch, const Vec3& to,
+                                    float d2) {
+  const float along = -dot(to, patch.normal);
+  float facing = source.double_sided ? std::abs(along) : along;
+  if (source.type == LightType::segment) facing = std::sqrt(std::max(0.0f, d2 - along * along));
+  return facing > 0 ? patch_solid_angle(patch.area, facing, d2) : 0;
+}
+
+Glossy DirectLight::patch_glossy(const Source& source, const ShadingPoint& point) {
+  const Vec3 &n = point.normal, &v = point.to_viewer;
+  const float nv = std::max(dot(n, v), 1e-3f);
+  float whole = 0;
+  Vec3 middle;
+  for (const LightPatch& patch : source.patches) {
+    const Vec3 to = patch.position - point.position;
+    const float d2 = std::max(dot(to, to), 1e-30f);
+    const float solid_angle = dot(to, n) > 0 ? seen_solid_angle(source, patch, to, d2) : 0;
+    whole += solid_angle;
+    middle += to * (solid_angle / std::sqrt(d2));
+  }
+  if (!(whole > 0)) return {};
+  const Vec3 mean = middle / whole;
+  // A mean well below 1 in length: the light stands all round the point.
+  if (one_lobe_is_enough(whole * source.stretch, point.alpha) && dot(mean, mean) > 0.9f) {
+    const Vec3 l = normalize(mean);
+    return ggx(widened_alpha2(point.alpha, whole), nv, dot(n, l), dot(v, l)) * whole;
+  }
   Glossy sum;
   for (const LightPatch& patch : source.patches) {
     const Vec3 to = patch.position - point.position;
-    const float d2 = dot(to, to), along = -dot(to, patch.normal);
-    const bool strip = source.type == LightType::segment;
-    const float facing = strip                 ? std::sqrt(std::max(0.0f, d2 - along * along))
-                         : source.double_sided ? std::abs(along)
-                                               : along;
-    if (!(facing > 0) || !(dot(to, point.normal) > 0)) continue;
+    const float d2 = std::max(dot(to, to), 1e-30f);
+    const float solid_angle = seen_solid_angle(source, patch, to, d2);
+    if (!(solid_angle > 0)) continue;
     const Vec3 l = to / std::sqrt(d2);
-    const float solid_angle = patch_solid_angle(patch.area, facing, d2);
-    sum += ggx(widened_alpha2(point.alpha, solid_angle * source.stretch), nv, dot(point.normal, l),
-               dot(point.to_viewer, l)) *
-           solid_angle;
+    sum +=
+        ggx(widened_alpha2(point.alpha, solid_angle * source.stretch), nv, dot(n, l), dot(v, l)) *
+        solid_angle;
   }
   return sum;
 }

@@ -60,7 +60,9 @@ class DirectLight {
                         Horizon horizon) const;
   Glossy cone_glossy(const Source& source, const ShadingPoint& point, const Vec3& axis,
                      float sin2) const;
-  Glossy patch_glossy(const Source& source, const ShadingPoint& point) const;
+  static float seen_solid_angle(const Source& source, const LightPatch& patch, const Vec3& to,
+                                float d2);
+  static Glossy patch_glossy(const Source& source, const ShadingPoint& point);
 
   std::vector<Source> lights_;
   std::vector<Vec2> spiral_;

@@ -14,9 +14,9 @@
 namespace penumbra {
 
 struct RenderOptions {
-  int width = 960, height = 540;  ///< pixels, at least 1
-  int spp = 4;                    ///< stratified samples per pixel; 1 = the pixel's centre
-  std::uint32_t seed = 0;
+  int width = 960, height = 540;     ///< pixels, at least 1
+  int spp = 4;                       ///< stratified samples per pixel; 1 = the pixel's centre
+  std::uint32_t seed = 0;            ///< for sampled shadow methods
   std::optional<float> exposure_ev;  ///< none = from the scene (exposure.h)
   int camera = 0;                    ///< index into Scene::cameras
   ShadowOptions shadows;

@@ -15,26 +15,25 @@ void primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
                   std::vector<TileRay>& rays) {
   const RenderOptions& o = setup.options;
   const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
-  rays.clear();
+  const Vec2 at = pixel_sample(sample, o.spp);
+  rays.resize(static_cast<std::size_t>(tile.pixel_count()));
+  std::uint32_t pixel = 0;
   for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x) {
+    for (int x = tile.x0; x < tile.x1; ++x, ++pixel) {
       const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
                           static_cast<std::uint64_t>(x);
-      const std::uint64_t hash = mix64(number, o.seed);
-      const Vec2 at = pixel_sample(sample, o.spp, hash);
-      TileRay ray;
+      TileRay& ray = rays[pixel];
       ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
       ray.beam.width *= beam_share;
       ray.beam.spread *= beam_share;
-      ray.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
-      ray.stream = mix64(hash, static_cast<std::uint64_t>(sample));
-      rays.push_back(ray);
+      ray.throughput = Vec3(1.0f);
+      ray.pixel = pixel;
+      ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
     }
 }
 
-TilePoint point_of(const TileRay& ray, const Hit& hit, const Surface& surface,
-                   const MaterialLookup& materials) {
-  TilePoint point;
+void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surface& surface,
+               const MaterialLookup& materials) {
   point.width = ray.beam.width + ray.beam.spread * hit.t;
   point.spread = ray.beam.spread;
   point.shading = materials.at(surface, -ray.beam.ray.direction, point.width);
@@ -44,7 +43,6 @@ TilePoint point_of(const TileRay& ray, const Hit& hit, const Surface& surface,
   point.t = hit.t;
   point.pixel = ray.pixel;
   point.stream = ray.stream;
-  return point;
 }
 
 /// The mirrored direction; where the shading normal would send it into the surface, it is turned
@@ -106,12 +104,12 @@ void add_background(const Vec3& background, std::span<const TileRay> rays,
 }
 
 /// Rays of one generation, at most one for each pixel, are traced and shaded.
-void shade_generation(const RenderSetup& setup, ArrivalObserver* observer, TileScratch& scratch,
-                      PixelSums& sums, ShadowCounts& counts) {
+void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver* observer,
+                      TileScratch& scratch, PixelSums& sums, ShadowCounts& counts) {
   const Scene& scene = setup.world.scene();
   add_background(scene.background, scratch.rays, scratch.points, sums);
-  scratch.shader.shade(setup.lights, setup.shadows, scene.ambient, scratch.points, scratch.radiance,
-                       observer, counts);
+  scratch.shader.shade(setup.lights, setup.shadows, setup.ambient, scratch.points, tile_width,
+                       scratch.radiance, observer, counts);
   for (std::size_t i = 0; i < scratch.points.size(); ++i) {
     const TilePoint& p = scratch.points[i];
     sums.add(p.pixel, p.throughput * (scratch.radiance[i] + p.shading.emission));
@@ -122,10 +120,12 @@ void shade_generation(const RenderSetup& setup, ArrivalObserver* observer, TileS
 
 void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
            std::vector<TilePoint>& points) {
-  points.clear();
+  points.resize(rays.size());
+  std::size_t count = 0;
   for (const TileRay& ray : rays)
     if (const auto hit = world.intersect(ray.beam.ray))
-      points.push_back(point_of(ray, *hit, world.surface(ray.beam.ray, *hit), materials));
+      set_point(points[count++], ray, *hit, world.surface(ray.beam.ray, *hit), materials);
+  points.resize(count);
 }
 
 TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& scratch,
@@ -140,8 +140,8 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
     for (int depth = 0;; ++depth) {
       trace(setup.world, setup.materials, scratch.rays, scratch.points);
       if (depth == 0) aovs.met(scratch.points);
-      shade_generation(setup, depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr, scratch, sums,
-                       counts.shadows);
+      shade_generation(setup, tile.width(), depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr,
+                       scratch, sums, counts.shadows);
       if (depth == o.mirror_depth) break;
       mirror_rays(setup.world, scratch.points, scratch.rays);
       if (scratch.rays.empty()) break;

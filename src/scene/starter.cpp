@@ -7,30 +7,30 @@ std::string_view starter_scene() {
 // Render it: penumbra render THIS.json -o picture.png
 {
   "camera": {
-    "position": [2.6, 1.9, 5.2],
-    "look_at": [0.1, 0.45, 0],
-    "up": [0, 1, 0],            // optional, as is every key said to be
-    "vertical_fov_deg": 32      // optional, 40 if left out
+    "position": [2.7, 2.5, 5.4],
+    "look_at": [0.20, 0.50, 0],
+    "up": [0, 1, 0],            // [0, 1, 0] if left out
+    "vertical_fov_deg": 24      // 40 if left out
   },
 
-  // Materials by name; every key of a material is optional.
+  // Materials by name; every key of a material may be left out.
   "materials": {
-    "floor":  {"diffuse": [0.75, 0.73, 0.70]},
-    "clay":   {"diffuse": [0.72, 0.32, 0.20]},
-    "glazed": {"diffuse": [0.10, 0.30, 0.42], "specular": [0.04, 0.04, 0.04], "roughness": 0.15},
-    "chrome": {"diffuse": [0.02, 0.02, 0.02], "mirror": 0.85},   // mirror: number or [r, g, b]
-    "stone":  {"diffuse": [0.55, 0.55, 0.50]}
+    "floor":  {"diffuse": [0.78, 0.76, 0.72]},
+    "clay":   {"diffuse": [0.72, 0.28, 0.16]},
+    "glazed": {"diffuse": [0.05, 0.22, 0.34], "specular": [0.04, 0.04, 0.04], "roughness": 0.2},
+    "chrome": {"diffuse": [0.03, 0.03, 0.03], "mirror": 0.85},   // mirror: number or [r, g, b]
+    "stone":  {"diffuse": [0.58, 0.56, 0.50]}
     // also: "emission": [r, g, b] makes a surface a light, "texture": "picture.png" colours it
   },
 
   "objects": [
     // A quad spans edge_u and edge_v from a corner; its front faces along edge_u × edge_v.
-    {"type": "quad", "name": "floor", "corner": [-12, 0, 12], "edge_u": [24, 0, 0],
-     "edge_v": [0, 0, -24], "material": "floor"},
-    {"type": "sphere", "center": [-1.05, 0.55, -0.35], "radius": 0.55, "material": "clay"},
-    {"type": "sphere", "center": [0.20, 0.40, 0.65], "radius": 0.40, "material": "glazed"},
-    {"type": "sphere", "center": [1.05, 1.00, -0.45], "radius": 0.40, "material": "chrome"},
-    {"type": "box", "min": [0.55, 0, -0.95], "max": [1.55, 0.60, 0.05], "material": "stone"}
+    {"type": "quad", "name": "floor", "corner": [-40, 0, 40], "edge_u": [80, 0, 0],
+     "edge_v": [0, 0, -80], "material": "floor"},
+    {"type": "sphere", "center": [-0.95, 0.60, -0.25], "radius": 0.60, "material": "clay"},
+    {"type": "sphere", "center": [0.20, 0.35, 0.80], "radius": 0.35, "material": "glazed"},
+    {"type": "sphere", "center": [1.00, 1.02, -0.45], "radius": 0.42, "material": "chrome"},
+    {"type": "box", "min": [0.50, 0, -0.95], "max": [1.50, 0.60, 0.05], "material": "stone"}
     // also: {"type": "polygon", "vertices": [[x, y, z], ...], "material": "stone"}
     //       {"type": "mesh", "file": "bunny.obj", "material": "clay",
     //        "transform": {"translate": [0, 0, 0], "rotate_deg": [0, 90, 0], "scale": 2}}
@@ -38,12 +38,12 @@ std::string_view starter_scene() {
 
   "lights": [
     // The larger the radius, the softer the shadows. Also: disk, rect, segment, point, sun.
-    {"type": "sphere", "name": "key", "position": [-2.2, 4.2, 2.6], "radius": 0.45,
-     "radiance": [40, 37, 32]}
+    {"type": "sphere", "name": "key", "position": [-4.5, 7.0, 3.5], "radius": 0.9,
+     "radiance": [75, 68, 58]}
   ],
 
-  "ambient": [0.10, 0.11, 0.13],      // from everywhere, unshadowed
-  "background": [0.42, 0.50, 0.60]    // where nothing is seen
+  "ambient": [0.16, 0.19, 0.24],      // from everywhere, unshadowed
+  "background": [0.45, 0.55, 0.68]    // where nothing is seen
 }
 )json";
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "geometry/embree_scene.h"
+#include "shadow/adaptive_area.h"
+#include "shadow/light_guard.h"
 #include "shadow/shadows.h"
 
 namespace penumbra {
@@ -22,6 +24,9 @@ bool is_point(const Light& light) {
   }
 }
 
+// A cone costs about as much as this many rays.
+constexpr int worth_a_cone = 4;
+
 struct Scratch {
   std::vector<ShadowRay> rays;
   std::vector<std::size_t> point_of_ray;
@@ -32,8 +37,16 @@ struct Scratch {
 
 Visibility Shadows::light_points(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                                  std::vector<LightPoint>& points, ShadowCounts& counts) const {
+  if (adaptive_ && !is_point(lights_.light(light))) {
+    const auto first = adaptive_->first(receiver, light, stream, counts);
+    return adaptive_->finish(receiver, light, stream, first, true, points, counts);
+  }
   thread_local Scratch scratch;
-  points.clear(), scratch.rays.clear(), scratch.point_of_ray.clear();
+  points.clear();
+  if (samples_.count() >= worth_a_cone &&
+      whole_light_is_seen(world_, lights_, receiver, light, counts))
+    return {1, 0};
+  scratch.rays.clear(), scratch.point_of_ray.clear();
   const Light& source = lights_.light(light);
   const float epsilon = world_.epsilon_at(receiver.position);
   const Vec3 origin = receiver.position + receiver.normal * epsilon;

@@ -68,15 +68,21 @@ LightSamples::LightSamples(int count, std::uint32_t seed)
   std::transform(squares_.begin(), squares_.end(), std::back_inserter(disks_), concentric);
 }
 
-SamplePattern LightSamples::pattern(std::uint64_t stream) const {
+SamplePattern LightSamples::unshifted_pattern(std::uint64_t stream) const {
   const std::uint64_t h = hash(seed_ ^ 0x5bd1e995u, stream);
-  const std::size_t first =
-      (h & 0xffffu) % static_cast<std::size_t>(tables_) * static_cast<std::size_t>(count_);
   SamplePattern p;
-  p.square = &squares_[first], p.disk = &disks_[first];
+  p.table = static_cast<int>((h & 0xffffu) % static_cast<std::uint64_t>(tables_));
+  p.square = table(p.table);
+  p.disk = &disks_[static_cast<std::size_t>(p.table) * count_];
   const float angle = 2 * std::numbers::pi_v<float> * unit(static_cast<std::uint32_t>(h >> 32));
   p.cosine = std::cos(angle), p.sine = std::sin(angle);
-  p.shift = {unit(static_cast<std::uint32_t>(h >> 16)), unit(static_cast<std::uint32_t>(h >> 32))};
+  return p;
+}
+
+SamplePattern LightSamples::pattern(std::uint64_t stream) const {
+  SamplePattern p = unshifted_pattern(stream);
+  const std::uint64_t h = hash(stream, seed_ ^ 0x2545f491u);
+  p.shift = {unit(static_cast<std::uint32_t>(h)), unit(static_cast<std::uint32_t>(h >> 32))};
   return p;
 }
 

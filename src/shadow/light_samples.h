@@ -22,6 +22,7 @@ struct SamplePattern {
   const Vec2* disk = nullptr;    ///< the same points on the unit disk, area kept
   float cosine = 1, sine = 0;    ///< turn
   Vec2 shift;                    ///< in [0, 1)²
+  int table = 0;                 ///< its number
   Vec2 square_point(int i) const;
   Vec2 disk_point(int i) const {
     return {cosine * disk[i].x - sine * disk[i].y, sine * disk[i].x + cosine * disk[i].y};
@@ -38,6 +39,10 @@ class LightSamples {
   int count() const { return count_; }
   /// The pattern of a stream: same stream, same points.
   SamplePattern pattern(std::uint64_t stream) const;
+  /// The same without a shift: points of the square stay in their cells.
+  SamplePattern unshifted_pattern(std::uint64_t stream) const;
+  int table_count() const { return tables_; }
+  const Vec2* table(int t) const { return &squares_[static_cast<std::size_t>(t) * count_]; }
 
  private:
   int count_, tables_;

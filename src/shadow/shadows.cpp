@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/embree_scene.h"
+#include "shadow/adaptive_area.h"
 #include "shadow/profile.h"
 
 namespace penumbra {
@@ -22,7 +23,12 @@ Shadows::Shadows(const World& world, const ShadowOptions& options)
       options_(options),
       lights_(world.scene()),
       samples_(std::max(options.light_samples > 0 ? options.light_samples : 64, 1), options.seed),
-      limit_(search_limit(options.profile, options.tolerance)) {}
+      limit_(search_limit(options.profile, options.tolerance)) {
+  if (options.kind == ShadowKind::area && options.error)
+    adaptive_ = std::make_unique<AdaptiveArea>(world, lights_, *options.error, options.seed);
+}
+
+Shadows::~Shadows() = default;
 
 Visibility Shadows::visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                                ShadowCounts& counts) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -62,10 +63,15 @@ struct ShadowCounts {
   ShadowCounts& operator+=(const ShadowCounts& b);
 };
 
+class AdaptiveArea;
+
 /// Immutable; every query is thread-safe. Keeps a reference to the world.
 class Shadows {
  public:
   Shadows(const World& world, const ShadowOptions& options);
+  ~Shadows();
+  Shadows(const Shadows&) = delete;
+  Shadows& operator=(const Shadows&) = delete;
 
   const ShadowOptions& options() const { return options_; }
   const World& world() const { return world_; }
@@ -79,7 +85,11 @@ class Shadows {
   Visibility visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                         ShadowCounts& counts) const;
 
-  /// The same for area, with the light's points left in `points` (cleared first).
+  /// With an error limit: the search in two steps, for callers who know the neighbours; else null.
+  const AdaptiveArea* adaptive() const { return adaptive_.get(); }
+
+  /// The same for area, with the light's points left in `points` (cleared first); none where the
+  /// whole light is known to be seen.
   Visibility light_points(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                           std::vector<LightPoint>& points, ShadowCounts& counts) const;
 
@@ -93,6 +103,7 @@ class Shadows {
   LightViews lights_;
   LightSamples samples_;
   SearchLimit limit_;
+  std::unique_ptr<AdaptiveArea> adaptive_;
 };
 
 }  // namespace penumbra

@@ -69,6 +69,8 @@ TEST(JsonMisuse, Places) {
            R"(1:33: unknown key "ambien" in the scene; did you mean "ambient"? (known: $schema, camera, cameras, materials, objects, lights, ambient, background))"},
           {"// \"objects\": {\n{\"objects\": 3}",
            R"(2:13: "objects" is a number; give an array [ ])"},
+          {R"({"objects": [], /* " */ "ambien": [0, 0, 0]})",
+           R"(1:25: unknown key "ambien" in the scene; did you mean "ambient"? (known: $schema, camera, cameras, materials, objects, lights, ambient, background))"},
       });
 }
 

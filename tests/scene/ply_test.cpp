@@ -180,7 +180,7 @@ TEST_F(Ply, LargeAsciiEqualsBinary) {
       ascii += "4";
       put<std::uint8_t>(bytes, 4);
       for (const int corner : {a, a + 1, a + side + 1, a + side}) {
-        ascii += " " + std::to_string(corner);
+        ascii += fmt::format(" {}", corner);
         put<std::int32_t>(bytes, corner);
       }
       ascii += "\n";

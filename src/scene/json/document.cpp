@@ -114,10 +114,10 @@ std::optional<std::string> Document::find_file(const std::string& name) const {
 
 // The offset after the string that begins there, or after the single character.
 std::size_t Document::past_string(std::size_t offset) const {
-  if (text_[offset] != '"') return offset + 1;
+  if (code_[offset] != '"') return offset + 1;
   std::size_t i = offset + 1;
-  while (i < text_.size() && text_[i] != '"') i += text_[i] == '\\' ? 2 : 1;
-  return std::min(i + 1, text_.size());
+  while (i < code_.size() && code_[i] != '"') i += code_[i] == '\\' ? 2 : 1;
+  return std::min(i + 1, code_.size());
 }
 
 // The parser does not take a comment in every place.
