@@ -87,7 +87,8 @@ int chosen_camera(const Scene& scene, const std::string& name_or_index) {
 std::unique_ptr<World> build_world(const Scene& scene, const Arguments& arguments,
                                    Console& console) {
   console.start("build", 0);
-  auto world = std::make_unique<World>(scene, arguments.render.shadows.kind == ShadowKind::parker);
+  const ShadowKind kind = arguments.render.shadows.kind;
+  auto world = std::make_unique<World>(scene, kind == ShadowKind::parker || kind == ShadowKind::area);
   console.finish();
   return world;
 }

@@ -54,6 +54,7 @@ class World {
   float epsilon_at(const Vec3& p) const;
 
   const EmbreeScene& embree() const { return *embree_; }
+  bool has_cone_tree() const { return cone_tree_ != nullptr; }
   const ConeTree& cone_tree() const { return *cone_tree_; }
   /// Bytes held beyond Embree's own and the scene's.
   std::size_t memory_bytes() const;

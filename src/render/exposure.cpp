@@ -7,6 +7,7 @@ namespace penumbra {
 namespace {
 
 constexpr double percentile = 0.9, shown_as = 0.8;
+constexpr float ambient_share = 0.12f;
 
 std::vector<TileRay> grid_rays(const CameraRays& camera) {
   std::vector<TileRay> rays;
@@ -37,16 +38,16 @@ struct Seen {
 };
 
 Seen look(const World& world, const CameraRays& camera, const DirectLight& lights,
-          const MaterialLookup& materials) {
+          const MaterialLookup& materials, const Vec3& ambient) {
   ShadowOptions hard;
   hard.kind = ShadowKind::hard;
   const Shadows shadows(world, hard);
-  const Vec3 ambient = world.scene().ambient;
   std::vector<TilePoint> points;
   std::vector<Vec3> radiance;
   ShadowCounts counts;
   trace(world, materials, grid_rays(camera), points);
-  PointShader().shade(lights, shadows, ambient, points, radiance, nullptr, counts);
+  PointShader().shade(lights, shadows, ambient, points, exposure_grid_width, radiance, nullptr,
+                      counts);
   Seen seen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i].shading;
@@ -62,16 +63,25 @@ Seen look(const World& world, const CameraRays& camera, const DirectLight& light
   return seen;
 }
 
-}  // namespace
-
-float automatic_exposure(const World& world, const CameraRays& camera, const DirectLight& lights,
-                         const MaterialLookup& materials) {
-  const Seen seen = look(world, camera, lights, materials);
+float exposure_under(const World& world, const CameraRays& camera, const DirectLight& lights,
+                     const MaterialLookup& materials, const Vec3& ambient) {
+  const Seen seen = look(world, camera, lights, materials, ambient);
   const bool enough_lit = seen.lit.size() * 100 >= seen.all.size();
   const auto by_surfaces = exposure_for(enough_lit && !seen.lit.empty() ? seen.lit : seen.all);
   if (by_surfaces) return *by_surfaces;
   if (const auto ev = exposure_for({luminance(world.scene().background)})) return *ev;
   return exposure_for(seen.emission).value_or(0.0f);
+}
+
+}  // namespace
+
+Brightness find_brightness(const World& world, const CameraRays& camera, const DirectLight& lights,
+                           const MaterialLookup& materials) {
+  const Scene& scene = world.scene();
+  const Vec3 ambient = scene.ambient_is_automatic ? Vec3() : scene.ambient;
+  const float ev = exposure_under(world, camera, lights, materials, ambient);
+  if (!scene.ambient_is_automatic) return {ev, scene.ambient};
+  return {ev, Vec3(ambient_share * static_cast<float>(shown_as) * std::exp2(-ev))};
 }
 
 }  // namespace penumbra

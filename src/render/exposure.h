@@ -7,6 +7,11 @@
 
 namespace penumbra {
 
+struct Brightness {
+  float exposure_ev = 0;
+  Vec3 ambient;  ///< radiance
+};
+
 /// The exposure in EV (display value = radiance · 2^EV) at which the 90th percentile of the
 /// luminance of lit surfaces shows as 0.8.
 ///
@@ -16,8 +21,12 @@ namespace penumbra {
 /// left out. Surfaces that some light reaches count alone if they are a hundredth of what is seen;
 /// else all surfaces count; where none reflects the background counts, then emission. 0 where all
 /// is black. Multiplying all light by 2 lowers it by 1; the scene's scale does not matter.
-float automatic_exposure(const World& world, const CameraRays& camera, const DirectLight& lights,
-                         const MaterialLookup& materials);
+///
+/// Where the file says nothing of ambient light (Scene::ambient_is_automatic), the exposure is
+/// found without it, and it is 0.12 of the radiance that shows as 0.8: enough to tell things in the
+/// dark from one another, whatever the unit of the lights.
+Brightness find_brightness(const World& world, const CameraRays& camera, const DirectLight& lights,
+                           const MaterialLookup& materials);
 
 inline constexpr int exposure_grid_width = 64, exposure_grid_height = 36;
 

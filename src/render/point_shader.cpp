@@ -40,8 +40,9 @@ void PointShader::add(const Vec3& emission, std::span<const TilePoint> points,
 }
 
 void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const Vec3& ambient,
-                        std::span<const TilePoint> points, std::vector<Vec3>& radiance,
-                        ArrivalObserver* observer, ShadowCounts& counts) {
+                        std::span<const TilePoint> points, int tile_width,
+                        std::vector<Vec3>& radiance, ArrivalObserver* observer,
+                        ShadowCounts& counts) {
   const std::size_t count = points.size();
   unshadowed_.resize(count);
   asked_.resize(count);
@@ -51,7 +52,7 @@ void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const
     radiance[i] = ambient * (points[i].shading.diffuse + points[i].shading.specular);
   for (std::size_t light = 0; light < lights.size(); ++light) {
     find_unshadowed(lights, light, horizon_of(shadows), observer != nullptr, points);
-    tile_visibility(shadows, light, points, asked_, arrivals_, light_points_, counts);
+    tile_visibility(shadows, light, points, asked_, tile_width, arrivals_, light_points_, counts);
     add(lights.emission(light), points, radiance);
     if (observer) observer->arrived(light, points, arrivals_);
   }

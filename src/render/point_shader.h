@@ -25,7 +25,7 @@ class PointShader {
   /// and mirrors. Points that a light cannot brighten are not asked for their visibility unless an
   /// observer wants to know it.
   void shade(const DirectLight& lights, const Shadows& shadows, const Vec3& ambient,
-             std::span<const TilePoint> points, std::vector<Vec3>& radiance,
+             std::span<const TilePoint> points, int tile_width, std::vector<Vec3>& radiance,
              ArrivalObserver* observer, ShadowCounts& counts);
 
  private:

@@ -30,6 +30,13 @@ void check(const Scene& scene, const RenderOptions& o) {
                      fmt::format("the scene has {}, numbered from 0", scene.cameras.size()));
 }
 
+/// The error asked for is a pixel's: each of its independent samples may have √spp times that.
+ShadowOptions shadow_options(const RenderOptions& o) {
+  ShadowOptions shadows = o.shadows;
+  if (shadows.error) *shadows.error *= std::sqrt(static_cast<float>(o.spp));
+  return shadows;
+}
+
 RenderResult empty_result(const RenderOptions& o, std::size_t lights) {
   RenderResult result;
   result.color = Image(o.width, o.height, 3);
@@ -87,18 +94,18 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   check(scene, options);
   const auto build_start = Clock::now();
   RenderResult result = empty_result(options, scene.lights.size());
-  const Shadows shadows(world, options.shadows);
+  const Shadows shadows(world, shadow_options(options));
   const DirectLight lights(shadows.lights());
   const MaterialLookup materials(scene);
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
-  result.stats.exposure_ev = options.exposure_ev
-                                 ? *options.exposure_ev
-                                 : automatic_exposure(world, coarse, lights, materials);
+  const Brightness bright = find_brightness(world, coarse, lights, materials);
+  result.stats.exposure_ev = options.exposure_ev.value_or(bright.exposure_ev);
   result.stats.seconds_build = seconds_since(build_start);
   const auto render_start = Clock::now();
-  render_tiles({world, options, lights, materials, shadows, camera}, result, progress);
+  render_tiles({world, options, lights, materials, shadows, camera, bright.ambient}, result,
+               progress);
   result.stats.seconds_render = seconds_since(render_start);
   return result;
 }

@@ -104,12 +104,12 @@ void add_background(const Vec3& background, std::span<const TileRay> rays,
 }
 
 /// Rays of one generation, at most one for each pixel, are traced and shaded.
-void shade_generation(const RenderSetup& setup, ArrivalObserver* observer, TileScratch& scratch,
-                      PixelSums& sums, ShadowCounts& counts) {
+void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver* observer,
+                      TileScratch& scratch, PixelSums& sums, ShadowCounts& counts) {
   const Scene& scene = setup.world.scene();
   add_background(scene.background, scratch.rays, scratch.points, sums);
-  scratch.shader.shade(setup.lights, setup.shadows, scene.ambient, scratch.points, scratch.radiance,
-                       observer, counts);
+  scratch.shader.shade(setup.lights, setup.shadows, setup.ambient, scratch.points, tile_width,
+                       scratch.radiance, observer, counts);
   for (std::size_t i = 0; i < scratch.points.size(); ++i) {
     const TilePoint& p = scratch.points[i];
     sums.add(p.pixel, p.throughput * (scratch.radiance[i] + p.shading.emission));
@@ -140,8 +140,8 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
     for (int depth = 0;; ++depth) {
       trace(setup.world, setup.materials, scratch.rays, scratch.points);
       if (depth == 0) aovs.met(scratch.points);
-      shade_generation(setup, depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr, scratch, sums,
-                       counts.shadows);
+      shade_generation(setup, tile.width(), depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr,
+                       scratch, sums, counts.shadows);
       if (depth == o.mirror_depth) break;
       mirror_rays(setup.world, scratch.points, scratch.rays);
       if (scratch.rays.empty()) break;

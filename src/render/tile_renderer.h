@@ -16,6 +16,7 @@ struct RenderSetup {
   const MaterialLookup& materials;
   const Shadows& shadows;
   const CameraRays& camera;
+  Vec3 ambient;  ///< radiance
 };
 
 /// Pixels [x0, x1) × [y0, y1).

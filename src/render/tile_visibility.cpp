@@ -1,6 +1,7 @@
 #include "render/tile_visibility.h"
 
 #include "render/ggx.h"
+#include "render/tile_adaptive.h"
 
 namespace penumbra {
 namespace {
@@ -22,7 +23,8 @@ LightArrival arrival_at(const Shadows& shadows, std::size_t light, const TilePoi
   if (shadows.sums_light_points()) {
     const Visibility seen =
         shadows.light_points(point.receiver, light, point.stream, scratch, counts);
-    arrival = arrival_from(scratch, point.shading);
+    // No points: a cone has shown that the whole light is seen.
+    if (!scratch.empty()) arrival = arrival_from(scratch, point.shading);
     arrival.visibility = seen;
     return arrival;
   }
@@ -55,8 +57,12 @@ LightArrival arrival_from(std::span<const LightPoint> light_points, const Shadin
 }
 
 void tile_visibility(const Shadows& shadows, std::size_t light, std::span<const TilePoint> points,
-                     std::span<const std::uint8_t> asked, std::span<LightArrival> arrivals,
-                     std::vector<LightPoint>& scratch, ShadowCounts& counts) {
+                     std::span<const std::uint8_t> asked, int tile_width,
+                     std::span<LightArrival> arrivals, std::vector<LightPoint>& scratch,
+                     ShadowCounts& counts) {
+  if (shadows.adaptive() && shadows.lights().light(light).type != LightType::point)
+    return adaptive_visibility(shadows, light, points, asked, tile_width, arrivals, scratch,
+                               counts);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (asked[i]) arrivals[i] = arrival_at(shadows, light, points[i], scratch, counts);
 }

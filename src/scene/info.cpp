@@ -114,7 +114,7 @@ void appearance_lines(std::string& out, const Scene& scene) {
     line(out, fmt::format("{:>4}", i),
          fmt::format("{}  {} x {}", quoted(t.name), t.width, t.height));
   }
-  line(out, "ambient", triple(scene.ambient));
+  line(out, "ambient", scene.ambient_is_automatic ? "automatic" : triple(scene.ambient));
   line(out, "background", triple(scene.background));
 }
 

@@ -110,6 +110,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   Vec3 ambient{0.05f, 0.05f, 0.05f};  ///< radiance from everywhere, unoccluded
+  bool ambient_is_automatic = false;  ///< the file says nothing of it: renderers follow the light
   Vec3 background{0, 0, 0};           ///< radiance where a ray meets nothing
   LoadReport report;
 };

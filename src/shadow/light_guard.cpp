@@ -35,7 +35,7 @@ const SearchLimit& anything() {
 bool whole_light_is_seen(const World& world, const LightViews& lights, const Receiver& receiver,
                          std::size_t light, ShadowCounts& counts) {
   const auto view = lights.view(light, receiver.position);
-  if (!view) return false;
+  if (!view || !world.has_cone_tree()) return false;
   ConeQuery query;
   query.origin = receiver.position, query.direction = view->direction;
   query.horizon = receiver.normal, query.epsilon = world.epsilon_at(receiver.position);

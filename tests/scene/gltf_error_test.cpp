@@ -100,6 +100,7 @@ TEST(GltfError, OtherVersionsOfGltf) {
   EXPECT_EQ(error_of(R"({"asset":{"version":"1.0"},"nodes":{}})"),
             "a.gltf:1:21: asset.version: this is glTF 1.0, not 2.0; convert it to glTF 2.0");
   EXPECT_EQ(problem("{}"), "'asset' is missing");
+  EXPECT_EQ(problem(R"({"asset":{"version":2}})"), "asset.version: must be a string");
 }
 
 TEST(GltfError, RequiredExtensionsWeDoNotKnow) {
@@ -109,6 +110,12 @@ TEST(GltfError, RequiredExtensionsWeDoNotKnow) {
   EXPECT_EQ(error_of(bare(R"("extensionsRequired":["KHR_texture_transform","EXT_other"])")),
             "a.gltf:1:74: extensionsRequired[1]: EXT_other is required but not supported; "
             "re-export without it");
+}
+
+TEST(GltfError, ExtensionsAreNamesInAList) {
+  EXPECT_EQ(problem(bare(R"("extensionsRequired":{"a":1})")),
+            "extensionsRequired: must be an array");
+  EXPECT_EQ(problem(bare(R"("extensionsUsed":[{}])")), "extensionsUsed[0]: must be a string");
 }
 
 TEST(GltfError, ExtensionsThatChangeThePictureAreWarnedOf) {

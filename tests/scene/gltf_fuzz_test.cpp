@@ -30,6 +30,7 @@ std::string everything() {
                 R"(,"normalized":true)");
   file.accessor(file.view(std::vector<float>(8)), 5126, "VEC2", 4);
   return file.binary(
+      R"("extensionsUsed":["EXT_lights_area"],"extensionsRequired":["KHR_lights_punctual"],)"
       R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1,2],"mesh":0,"scale":[1,2,3]},)"
       R"({"camera":0,"extensions":{"KHR_lights_punctual":{"light":0}},"extras":{"radius":1}},)"
       R"({"rotation":[0,0,1,0],"extensions":{"EXT_lights_area":{"light":0}}}],)"

@@ -76,6 +76,7 @@ std::string slim_json(const Json::Value& root) {
 }  // namespace
 
 Document::Document(const std::string& path) : json_(path), held_(json_.source().size()) {
+  check_declarations(json_);
   check_version();
   check_extensions(json_, warnings_);
   check_document(json_);
@@ -86,11 +87,10 @@ Document::Document(const std::string& path) : json_(path), held_(json_.source().
 }
 
 void Document::check_version() const {
-  const Json::Value& asset = json_.root()["asset"];
-  const Json::Value version = asset.isObject() ? asset["version"] : Json::Value();
-  if (version.isString() && !version.asString().starts_with("2."))
+  const std::string version = json_.root()["asset"]["version"].asString();
+  if (!version.starts_with("2."))
     throw json_.error("asset.version",
-                      fmt::format("this is glTF {}, not 2.0", version.asString().substr(0, 20)),
+                      fmt::format("this is glTF {}, not 2.0", version.substr(0, 20)),
                       "convert it to glTF 2.0");
 }
 
@@ -133,7 +133,8 @@ std::shared_ptr<const std::string> Document::external_file(const std::string& ur
   try {
     it->second = std::make_shared<const std::string>(read_file(*path));
     held_ += it->second->size();
-  } catch (const InputError&) {
+  } catch (const std::exception&) {
+    // Also what claims a size beyond all memory, as some files of the system do.
     it->second = nullptr;
   }
   return it->second;

@@ -62,7 +62,7 @@ void check_extensions(const JsonDocument& document, Warnings& warnings) {
     if (is_implemented(name)) continue;
     const std::string_view remedy = find(kRemedies, name);
     throw document.error(fmt::format("extensionsRequired[{}]", i),
-                         fmt::format("{} is required but not supported", name),
+                         fmt::format("{} is required but not supported", name.substr(0, 100)),
                          remedy.empty() ? "re-export without it" : std::string(remedy));
   }
   for (const Json::Value& used : document.root()["extensionsUsed"])

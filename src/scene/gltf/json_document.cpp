@@ -92,7 +92,8 @@ InputError JsonDocument::error(const std::string& path, const std::string& what,
   }
   const auto offset =
       static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, value->getOffsetStart()));
-  return InputError(source_.place(offset), path.empty() ? what : path + ": " + what, remedy);
+  return InputError(source_.place(offset), path.empty() ? what : path.substr(0, 200) + ": " + what,
+                    remedy);
 }
 
 }  // namespace penumbra::gltf

@@ -9,13 +9,6 @@ const std::string kAreaLights = "extensions.EXT_lights_area.lights";
 
 using Rules = std::vector<Rule>;
 
-void add_file_rules(Rules& rules) {
-  rules.push_back({"asset", Kind::object, {}, 0, kRequired});
-  rules.push_back({"asset.version", Kind::text, {}, 0, kRequired});
-  rules.push_back({"extensionsUsed[]", Kind::text});
-  rules.push_back({"extensionsRequired[]", Kind::text});
-}
-
 void add_data_rules(Rules& rules) {
   rules.push_back({"buffers[].byteLength", Kind::count, {}, 0, kRequired});
   rules.push_back({"buffers[].uri", Kind::text});
@@ -144,12 +137,20 @@ void add_light_rules(Rules& rules) {
 
 }  // namespace
 
-std::span<const Rule> rule_table() {
+std::span<const Rule> declaration_rules() {
+  static const Rules table = {{"asset", Kind::object, {}, 0, kRequired},
+                              {"asset.version", Kind::text, {}, 0, kRequired},
+                              {"extensionsUsed[]", Kind::text},
+                              {"extensionsRequired[]", Kind::text}};
+  return table;
+}
+
+std::span<const Rule> document_rules() {
   static const Rules table = [] {
     Rules rules;
     for (const auto add :
-         {add_file_rules, add_data_rules, add_accessor_rules, add_mesh_rules, add_node_rules,
-          add_material_rules, add_texture_rules, add_camera_rules, add_light_rules})
+         {add_data_rules, add_accessor_rules, add_mesh_rules, add_node_rules, add_material_rules,
+          add_texture_rules, add_camera_rules, add_light_rules})
       add(rules);
     return rules;
   }();

@@ -1,4 +1,4 @@
-// The table of rules that check_document() goes through.
+// The rules that a glTF document is checked by.
 #pragma once
 
 #include <span>
@@ -37,7 +37,10 @@ struct Rule {
   bool required = false;
 };
 
-/// glTF 2.0, section 5, and the extensions that are implemented; in the order of checking.
-std::span<const Rule> rule_table();
+/// Of asset, extensionsUsed and extensionsRequired.
+std::span<const Rule> declaration_rules();
+
+/// Of all the rest: glTF 2.0, section 5, and the extensions that are implemented.
+std::span<const Rule> document_rules();
 
 }  // namespace penumbra::gltf

@@ -188,13 +188,17 @@ void Check::array(const Json::Value& value) const {
 
 }  // namespace
 
+void check_declarations(JsonDocument& document) {
+  for (const Rule& rule : declaration_rules()) Check(document, rule).run();
+}
+
 void check_document(JsonDocument& document) {
   for (const char* name : {"buffers", "bufferViews", "accessors", "meshes", "nodes", "scenes",
                            "materials", "textures", "images", "samplers", "cameras", "skins"}) {
     const Rule every_one_is_an_object{name, Kind::list};
     Check(document, every_one_is_an_object).run();
   }
-  for (const Rule& rule : rule_table()) Check(document, rule).run();
+  for (const Rule& rule : document_rules()) Check(document, rule).run();
 }
 
 }  // namespace penumbra::gltf
