@@ -43,7 +43,7 @@ Visibility Shadows::light_points(const Receiver& receiver, std::size_t light, st
   }
   thread_local Scratch scratch;
   points.clear();
-  if (samples_.count() >= worth_a_cone &&
+  if (options_.skip_lit && samples_.count() >= worth_a_cone &&
       whole_light_is_seen(world_, lights_, receiver, light, counts))
     return {1, 0};
   scratch.rays.clear(), scratch.point_of_ray.clear();

@@ -19,9 +19,11 @@ enum class Composite : std::uint8_t { min, multiply, add };
 
 struct ShadowOptions {
   ShadowKind kind = ShadowKind::parker;
-  int light_samples = 0;                 ///< area: points a light, 0 = 64
-  std::optional<float> error;            ///< area: adaptive, until the standard error is below this
-  Profile profile = Profile::cubic;      ///< parker
+  int light_samples = 0;             ///< area: points a light, 0 = 64
+  std::optional<float> error;        ///< area: adaptive, until the standard error is below this
+  bool skip_lit = true;              ///< area of a fixed count: no rays where a cone proves that
+                                     ///< the whole light is seen
+  Profile profile = Profile::cubic;  ///< parker
   Composite composite = Composite::min;  ///< parker
   float tolerance = 0.02f;  ///< parker: allowed change of the visible fraction, 0 = exact
   std::uint32_t seed = 0;
