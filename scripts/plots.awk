@@ -4,7 +4,7 @@ function across(x) { return 60 + 500 * (x - x0) / (x1 - x0) }
 function upwards(y) { return 260 - 240 * y }
 
 function curve(xs, ys, count, color, dashes,   i) {
-  printf "<path fill=\"none\" stroke=\"%s\" stroke-width=\"2.5\" d=\"", color, dashes > file
+  printf "<path fill=\"none\" stroke=\"%s\" stroke-width=\"2.5\" stroke-dasharray=\"%s\" d=\"", color, dashes > file
   for (i = 1; i <= count; ++i) printf "%s%.1f %.1f", (i == 1 ? "M" : " L"), across(xs[i]), upwards(ys[i]) > file
   print "\"/>" > file
 }
