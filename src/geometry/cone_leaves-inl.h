@@ -25,23 +25,30 @@ struct Corners {
   Floats before[3];  ///< a flat light's plane
 };
 
-HWY_INLINE void load_corners(const TriangleLeaf& leaf, std::size_t first, const LocalQuery& q,
+HWY_INLINE Floats min3(const Floats* a) { return hn::Min(hn::Min(a[0], a[1]), a[2]); }
+HWY_INLINE Floats max3(const Floats* a) { return hn::Max(hn::Max(a[0], a[1]), a[2]); }
+
+/// Loads the corners; false if none of the triangles has a part above the horizon.
+HWY_INLINE bool load_corners(const TriangleLeaf& leaf, std::size_t first, const LocalQuery& q,
                              Corners& c) {
   const Lanes d;
   for (int v = 0; v < 3; ++v) {
     const Point p{hn::Sub(hn::Load(d, leaf.position[v][0] + first), all(q.origin.x)),
                   hn::Sub(hn::Load(d, leaf.position[v][1] + first), all(q.origin.y)),
                   hn::Sub(hn::Load(d, leaf.position[v][2] + first), all(q.origin.z))};
-    c.p[v] = {dot(q.ray.u, p), dot(q.ray.v, p), dot(q.ray.w, p)};
+    c.p[v] = p;
     c.above[v] = hn::Sub(dot(q.horizon, p), all(q.epsilon));
+  }
+  if (hn::AllFalse(d, hn::Gt(max3(c.above), hn::Zero(d)))) return false;
+  for (int v = 0; v < 3; ++v) {
+    const Point p = c.p[v];
+    c.p[v] = {dot(q.ray.u, p), dot(q.ray.v, p), dot(q.ray.w, p)};
     c.before[v] = q.has_plane
                       ? hn::Add(dot(q.plane_normal, p), all(q.plane_distance - q.plane_epsilon))
                       : all(1);
   }
+  return true;
 }
-
-HWY_INLINE Floats min3(const Floats* a) { return hn::Min(hn::Min(a[0], a[1]), a[2]); }
-HWY_INLINE Floats max3(const Floats* a) { return hn::Max(hn::Max(a[0], a[1]), a[2]); }
 
 /// Lanes whose triangle the ray meets between the point and the light, above the horizon.
 HWY_INLINE Bools blocked(const Corners& c, const LocalQuery& q) {
@@ -106,7 +113,10 @@ HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, fl
   const Floats zero = hn::Zero(d);
   for (std::size_t first = 0; first < tree_width; first += hn::Lanes(d)) {
     Corners c;
-    load_corners(leaf, first, q, c);
+    if (!load_corners(leaf, first, q, c)) {
+      hn::Store(all(infinite), d, out.lane + first);
+      continue;
+    }
     const Floats z[3] = {c.p[0].z, c.p[1].z, c.p[2].z};
     const Floats z_least = min3(z), z_most = max3(z), low = min3(c.above);
     const Bools counts =

@@ -66,7 +66,7 @@ HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Flo
 }
 
 HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const ConeSlabs& slabs,
-                              ChildTest& test) {
+                              float limit, ChildTest& test) {
   const Lanes d;
   const float* origin = &q.origin.x;
   const float* horizon = &q.horizon.x;
@@ -87,13 +87,15 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
     // A few roundings on either side (Ize 2013, Robust BVH Ray Traversal).
     const Bools met = hn::Le(hn::Mul(near, all(1 - 0x1p-21f)), hn::Mul(far, all(1 + 0x1p-21f)));
     const Bools above = hn::Gt(height, all(q.epsilon));
-    test.hits |= bits_of(hn::And(met, above)) << first;
 
     const Point c{middle[0], middle[1], middle[2]};
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
     const Floats r = hn::Sqrt(size2), away = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
     const Floats reach = hn::Max(hn::Add(z, r), all(1e-30f));
-    hn::Store(hn::Div(hn::Sub(away, r), reach), d, test.least + first);
+    const Floats least = hn::Div(hn::Sub(away, r), reach);
+    hn::Store(least, d, test.least + first);
+    const Bools near_enough = hn::Lt(least, all(limit));
+    test.hits |= bits_of(hn::And(hn::And(met, above), near_enough)) << first;
   }
 }
 

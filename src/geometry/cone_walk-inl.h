@@ -69,7 +69,7 @@ class Walk {
   HWY_INLINE bool open(const WideNode& node) {
     ++counts_.nodes;
     ChildTest test;
-    test_children(node, q_, slabs_, test);
+    test_children(node, q_, slabs_, sink_.limit(), test);
     int found[tree_width], count = 0;
     for (std::uint32_t hits = test.hits; hits; hits &= hits - 1) {
       const int i = std::countr_zero(hits);
