@@ -14,12 +14,12 @@ constexpr int neighbourhood = 9;  // pixels whose first points agree vouch for o
 
 int cell_of(float x, int g) { return std::min(static_cast<int>(x * static_cast<float>(g)), g - 1); }
 
-// The grid at which a long straight edge, crossing about g cells on either side, is known well
-// enough.
-int grid_for(float error) {
+// One finer than the grid at which a long straight edge, crossing about g cells on either side, is
+// known well enough: some edges are longer.
+int finest_grid(float error) {
   int g = first_grid;
   while (g < 64 && AdaptiveArea::standard_error(2 * g, g * g, g * g) > error) g *= 2;
-  return g;
+  return std::min(2 * g, 64);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ AdaptiveArea::AdaptiveArea(const World& world, const LightViews& lights, float e
     : world_(world),
       lights_(lights),
       error_(error),
-      finest_(grid_for(error)),
+      finest_(finest_grid(error)),
       samples_(finest_ * finest_, seed) {
   for (int t = 0; t < samples_.table_count(); ++t) {
     auto& table = point_in_cell_.emplace_back(static_cast<std::size_t>(samples_.count()));
@@ -198,7 +198,9 @@ Visibility AdaptiveArea::finish(const Receiver& receiver, std::size_t light, std
     const int cells = grid.g * grid.g, edge_cells = split.count();
     error = standard_error(edge_cells, cells, cells * (edge_cells ? 1 : vouching));
     if (error <= error_ || grid.g >= finest_) break;
-    if (edge_cells == 0) split = own;
+    // A cell that an edge merely nicks looks whole; while that could cost more than the error, none
+    // is taken for whole.
+    if (edge_cells == 0 || 0.125f / static_cast<float>(cells) > error_) split = own;
     BitGrid kept = own;
     for (int y = 0; y < grid.g; ++y) kept.rows[y] &= ~split.rows[y];
     search.collect(kept, points);

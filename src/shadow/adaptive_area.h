@@ -50,7 +50,7 @@ class AdaptiveArea {
   const World& world_;
   const LightViews& lights_;
   float error_;
-  int finest_;  ///< grid that the error needs at most
+  int finest_;  ///< grid, 64 at most: errors below about 0.001 are not reached
   LightSamples samples_;
   std::vector<std::vector<std::uint16_t>> point_in_cell_;  ///< per table: of the finest grid
 };
