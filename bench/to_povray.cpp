@@ -16,7 +16,9 @@
 namespace penumbra::bench {
 namespace {
 
-std::string pov(const Vec3d& v) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", v.x, v.y, v.z); }
+std::string pov(const Vec3d& v) {
+  return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", v.x, v.y, v.z);
+}
 std::string pov(const Vec3& v) { return pov(Vec3d(v)); }
 
 Vec3d vector(const Json::Value& json) {
