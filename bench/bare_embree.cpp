@@ -57,7 +57,7 @@ void attach(RTCScene scene, RTCGeometry geometry) {
 
 }  // namespace
 
-BareEmbree::BareEmbree(const Scene& scene) : device_(rtcNewDevice(nullptr)) {
+FlatScene::FlatScene(const Scene& scene) : device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree has no device for this processor");
   scene_ = rtcNewScene(device_);
   attach_triangles(scene);
@@ -65,12 +65,12 @@ BareEmbree::BareEmbree(const Scene& scene) : device_(rtcNewDevice(nullptr)) {
   rtcCommitScene(scene_);
 }
 
-BareEmbree::~BareEmbree() {
+FlatScene::~FlatScene() {
   rtcReleaseScene(scene_);
   rtcReleaseDevice(device_);
 }
 
-void BareEmbree::attach_triangles(const Scene& scene) {
+void FlatScene::attach_triangles(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -87,7 +87,7 @@ void BareEmbree::attach_triangles(const Scene& scene) {
   }
 }
 
-void BareEmbree::attach_spheres(const Scene& scene) {
+void FlatScene::attach_spheres(const Scene& scene) {
   if (scene.spheres.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   struct Ball {
@@ -99,11 +99,11 @@ void BareEmbree::attach_spheres(const Scene& scene) {
   attach(scene_, geometry);
 }
 
-void BareEmbree::trace(const std::vector<RTCRay>& rays, std::size_t first, std::size_t last,
-                       int packet) const {
-  if (packet == 16) return trace_packets<RTCRay16, 16>(scene_, rays, first, last);
-  if (packet == 8) return trace_packets<RTCRay8, 8>(scene_, rays, first, last);
-  trace_single(scene_, rays, first, last);
+void trace(RTCScene scene, const std::vector<RTCRay>& rays, std::size_t first, std::size_t last,
+           int packet) {
+  if (packet == 16) return trace_packets<RTCRay16, 16>(scene, rays, first, last);
+  if (packet == 8) return trace_packets<RTCRay8, 8>(scene, rays, first, last);
+  trace_single(scene, rays, first, last);
 }
 
 std::vector<RTCRay> hard_rays(const Shadows& shadows, const std::vector<Receiver>& points) {

@@ -10,16 +10,14 @@ namespace penumbra::bench {
 
 /// The same surfaces in one flat Embree scene with default flags: no instances, no filters and no
 /// robust edges, all of which cost time.
-class BareEmbree {
+class FlatScene {
  public:
-  explicit BareEmbree(const Scene& scene);
-  ~BareEmbree();
-  BareEmbree(const BareEmbree&) = delete;
-  BareEmbree& operator=(const BareEmbree&) = delete;
+  explicit FlatScene(const Scene& scene);
+  ~FlatScene();
+  FlatScene(const FlatScene&) = delete;
+  FlatScene& operator=(const FlatScene&) = delete;
 
-  /// Traces rays [first, last) one by one, or in packets of 8 or 16. A ray with tfar < 0 is none.
-  void trace(const std::vector<RTCRay>& rays, std::size_t first, std::size_t last,
-             int packet) const;
+  RTCScene handle() const { return scene_; }
 
  private:
   void attach_triangles(const Scene& scene);
@@ -28,6 +26,10 @@ class BareEmbree {
   RTCDevice device_;
   RTCScene scene_;
 };
+
+/// Traces rays [first, last) one by one, or in packets of 8 or 16. A ray with tfar < 0 is none.
+void trace(RTCScene scene, const std::vector<RTCRay>& rays, std::size_t first, std::size_t last,
+           int packet);
 
 /// The rays that `hard` traces to the first light, ready made.
 std::vector<RTCRay> hard_rays(const Shadows& shadows, const std::vector<Receiver>& points);
