@@ -52,7 +52,9 @@ class AdaptiveArea {
   float error_;
   int finest_;  ///< grid, 64 at most: errors below about 0.001 are not reached
   LightSamples samples_;
-  std::vector<std::vector<std::uint16_t>> point_in_cell_;  ///< per table: of the finest grid
+  /// Per table and grid, coarsest first: the point among the first g² in each cell.
+  std::vector<std::vector<std::uint16_t>> point_in_cell_;
+  int grids_ = 0;
 };
 
 }  // namespace penumbra
