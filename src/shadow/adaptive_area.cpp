@@ -189,13 +189,17 @@ Visibility AdaptiveArea::finish(const Receiver& receiver, std::size_t light, std
                                 std::vector<LightPoint>& points, ShadowCounts& counts) const {
   points.clear();
   if (first.verdict == Verdict::lit) return {1, 0};
+  const int vouching = neighbour_disagrees ? 1 : neighbourhood;
+  if (first.verdict != Verdict::mixed) {
+    const float doubt = standard_error(0, 0, first_grid * first_grid * vouching);
+    if (doubt <= error_) return {first.verdict == Verdict::all_visible ? 1.0f : 0.0f, doubt};
+  }
   Search search(*this, receiver, light, stream);
   search.recall(first.visible);
   BitGrid grid = search.first_from_seen();
   BitGrid own;
   own.g = first_grid;
   std::fill_n(own.rows, first_grid, own.full_row());
-  const int vouching = neighbour_disagrees ? 1 : neighbourhood;
   float error = 0;
   for (;;) {
     BitGrid split = grid.edges();

@@ -34,8 +34,8 @@ class AdaptiveArea {
 
   /// More points until the estimated standard error is below the limit. `neighbour_disagrees`: what
   /// is next to the receiver sees something else, so a unanimous first answer is not believed.
-  /// `points` (cleared first) is left with what was traced, each weighted by its cell; empty for a
-  /// lit verdict.
+  /// `points` (cleared first) is left with what was traced, each weighted by its cell; empty where
+  /// the fraction is 0 or 1 by the first answer alone.
   Visibility finish(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                     const First& first, bool neighbour_disagrees, std::vector<LightPoint>& points,
                     ShadowCounts& counts) const;
