@@ -27,7 +27,6 @@ namespace penumbra {
 struct SearchLimit {
   static constexpr int size = 256;
   std::array<float, size> fraction;
-  float whole = 0;  ///< a subtree whose clearance is known to this fraction counts as a whole
 
   static SearchLimit exact();
 };
