@@ -1,7 +1,7 @@
 # Shared by the scripts beside it (POSIX shell, sourced after cd to the top of the repository).
 
 BUILD_PACKAGES="cmake ninja-build g++ pkg-config libembree-dev libtbb-dev libhwy-dev libtinygltf-dev
-libstb-dev libtinyobjloader-dev libfast-float-dev libjsoncpp-dev libopenexr-dev libpng-dev
+libstb-dev libfast-float-dev libjsoncpp-dev libopenexr-dev libpng-dev
 zlib1g-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libbenchmark-dev"
 CHECK_PACKAGES="clang-format-16 clang-tidy-16"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
 #include "light_spec.h"
@@ -91,7 +92,7 @@ CLI::Option* add_value(CLI::App& command, Arguments& arguments, const std::strin
   const std::string name = names.substr(0, names.find(','));
   CLI::Option* option = command.add_option(
       names,
-      [&arguments, name, read](const CLI::results_t& values) {
+      [&arguments, name, read = std::move(read)](const CLI::results_t& values) {
         arguments.given.push_back(name);
         for (const std::string& value : values) read(value);
         return true;

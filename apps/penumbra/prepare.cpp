@@ -88,7 +88,8 @@ std::unique_ptr<World> build_world(const Scene& scene, const Arguments& argument
                                    Console& console) {
   console.start("build", 0);
   const ShadowKind kind = arguments.render.shadows.kind;
-  auto world = std::make_unique<World>(scene, kind == ShadowKind::parker || kind == ShadowKind::area);
+  auto world =
+      std::make_unique<World>(scene, kind == ShadowKind::parker || kind == ShadowKind::area);
   console.finish();
   return world;
 }

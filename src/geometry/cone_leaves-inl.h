@@ -25,23 +25,30 @@ struct Corners {
   Floats before[3];  ///< a flat light's plane
 };
 
-HWY_INLINE void load_corners(const TriangleLeaf& leaf, std::size_t first, const LocalQuery& q,
+HWY_INLINE Floats min3(const Floats* a) { return hn::Min(hn::Min(a[0], a[1]), a[2]); }
+HWY_INLINE Floats max3(const Floats* a) { return hn::Max(hn::Max(a[0], a[1]), a[2]); }
+
+/// Loads the corners; false if none of the triangles has a part above the horizon.
+HWY_INLINE bool load_corners(const TriangleLeaf& leaf, std::size_t first, const LocalQuery& q,
                              Corners& c) {
   const Lanes d;
   for (int v = 0; v < 3; ++v) {
     const Point p{hn::Sub(hn::Load(d, leaf.position[v][0] + first), all(q.origin.x)),
                   hn::Sub(hn::Load(d, leaf.position[v][1] + first), all(q.origin.y)),
                   hn::Sub(hn::Load(d, leaf.position[v][2] + first), all(q.origin.z))};
-    c.p[v] = {dot(q.ray.u, p), dot(q.ray.v, p), dot(q.ray.w, p)};
+    c.p[v] = p;
     c.above[v] = hn::Sub(dot(q.horizon, p), all(q.epsilon));
+  }
+  if (hn::AllFalse(d, hn::Gt(max3(c.above), hn::Zero(d)))) return false;
+  for (int v = 0; v < 3; ++v) {
+    const Point p = c.p[v];
+    c.p[v] = {dot(q.ray.u, p), dot(q.ray.v, p), dot(q.ray.w, p)};
     c.before[v] = q.has_plane
                       ? hn::Add(dot(q.plane_normal, p), all(q.plane_distance - q.plane_epsilon))
                       : all(1);
   }
+  return true;
 }
-
-HWY_INLINE Floats min3(const Floats* a) { return hn::Min(hn::Min(a[0], a[1]), a[2]); }
-HWY_INLINE Floats max3(const Floats* a) { return hn::Max(hn::Max(a[0], a[1]), a[2]); }
 
 /// Lanes whose triangle the ray meets between the point and the light, above the horizon.
 HWY_INLINE Bools blocked(const Corners& c, const LocalQuery& q) {
@@ -59,29 +66,29 @@ HWY_INLINE Bools blocked(const Corners& c, const LocalQuery& q) {
                  hn::And(hn::Lt(t, all(q.t_max)), hn::Gt(t, zero)));
 }
 
-/// Clearance of triangles that lie wholly in the space that counts.
-HWY_INLINE Floats whole_clearance(const Corners& c) {
+/// Squared clearance of triangles that lie wholly in the space that counts.
+HWY_INLINE Floats whole_clearance2(const Corners& c) {
   Floats least =
-      hn::Min(hn::Min(end_clearance(c.p[0]), end_clearance(c.p[1])), end_clearance(c.p[2]));
-  for (int v = 0; v < 3; ++v) least = hn::Min(least, side_clearance(c.p[v], c.p[(v + 1) % 3]));
+      hn::Min(hn::Min(end_clearance2(c.p[0]), end_clearance2(c.p[1])), end_clearance2(c.p[2]));
+  for (int v = 0; v < 3; ++v) least = hn::Min(least, side_clearance2(c.p[v], c.p[(v + 1) % 3]));
   return least;
 }
 
-/// Clearance of the part of a segment with z > 0.
-HWY_INLINE Floats forward_clearance(const Point& a, const Point& b) {
+/// Squared clearance of the part of a segment with z > 0.
+HWY_INLINE Floats forward_clearance2(const Point& a, const Point& b) {
   const Floats zero = hn::Zero(Lanes());
   const Bools a_in = hn::Gt(a.z, zero), b_in = hn::Gt(b.z, zero);
   Point cut = lerp(a, b, hn::Div(a.z, hn::Sub(a.z, b.z)));
   cut.z = zero;  // at infinity: its direction is all that counts
   const Point from = select(a_in, a, cut), to = select(b_in, b, cut);
   const Floats least =
-      hn::Min(side_clearance(from, to), hn::Min(end_clearance(from), end_clearance(to)));
+      hn::Min(side_clearance2(from, to), hn::Min(end_clearance2(from), end_clearance2(to)));
   return hn::IfThenElse(hn::Or(a_in, b_in), least, all(infinite));
 }
 
-/// Clearance of triangles that cross the horizon or the plane through the point across the ray:
-/// their sides as far as they count, and the line that the horizon cuts.
-HWY_INLINE Floats cut_clearance(const Corners& c) {
+/// Squared clearance of triangles that cross the horizon or the plane through the point across the
+/// ray: their sides as far as they count, and the line that the horizon cuts.
+HWY_INLINE Floats cut_clearance2(const Corners& c) {
   const Floats zero = hn::Zero(Lanes());
   Floats least = all(infinite);
   Point cut[3];
@@ -92,20 +99,24 @@ HWY_INLINE Floats cut_clearance(const Corners& c) {
     crosses[v] = hn::Xor(v_in, w_in);
     cut[v] = lerp(c.p[v], c.p[w], hn::Div(c.above[v], hn::Sub(c.above[v], c.above[w])));
     const Floats side =
-        forward_clearance(select(v_in, c.p[v], cut[v]), select(w_in, c.p[w], cut[v]));
+        forward_clearance2(select(v_in, c.p[v], cut[v]), select(w_in, c.p[w], cut[v]));
     least = hn::IfThenElse(hn::Or(v_in, w_in), hn::Min(least, side), least);
   }
   const Floats rim =
-      forward_clearance(select(crosses[0], cut[0], cut[1]), select(crosses[2], cut[2], cut[1]));
+      forward_clearance2(select(crosses[0], cut[0], cut[1]), select(crosses[2], cut[2], cut[1]));
   return hn::IfThenElse(hn::Or(crosses[0], crosses[1]), hn::Min(least, rim), least);
 }
 
-HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, LeafClearance& out) {
+HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, float limit,
+                               LeafClearance& out) {
   const Lanes d;
   const Floats zero = hn::Zero(d);
   for (std::size_t first = 0; first < tree_width; first += hn::Lanes(d)) {
     Corners c;
-    load_corners(leaf, first, q, c);
+    if (!load_corners(leaf, first, q, c)) {
+      hn::Store(all(infinite), d, out.lane + first);
+      continue;
+    }
     const Floats z[3] = {c.p[0].z, c.p[1].z, c.p[2].z};
     const Floats z_least = min3(z), z_most = max3(z), low = min3(c.above);
     const Bools counts =
@@ -118,14 +129,15 @@ HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, Le
     const Bools forward = hn::And(hn::Gt(low, zero), hn::Gt(z_least, zero));
     const Bools short_of_light =
         hn::And(hn::Lt(z_most, all(q.t_max)), hn::Gt(min3(c.before), zero));
-    Floats least = whole_clearance(c);
+    Floats least = whole_clearance2(c);
     if (!hn::AllFalse(d, hn::AndNot(forward, counts)))
-      least = hn::IfThenElse(forward, least, cut_clearance(c));
+      least = hn::IfThenElse(forward, least, cut_clearance2(c));
     least = hn::IfThenElse(blocked(c, q), zero, least);
     least = hn::IfThenElse(counts, least, all(infinite));
-    hn::Store(least, d, out.lane + first);
-    // Triangles that reach past the light are few: one by one.
-    std::uint32_t rest = bits_of(hn::AndNot(short_of_light, counts));
+    hn::Store(hn::Sqrt(least), d, out.lane + first);
+    // Triangles that reach past the light are few: one by one, if cutting them can matter.
+    const Bools near = hn::Lt(least, all(limit * limit));
+    std::uint32_t rest = bits_of(hn::And(near, hn::AndNot(short_of_light, counts)));
     for (; rest; rest &= rest - 1) {
       const auto lane = first + static_cast<std::size_t>(std::countr_zero(rest));
       out.lane[lane] = scalar_triangle(leaf, lane, q);
@@ -133,7 +145,8 @@ HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, Le
   }
 }
 
-HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, LeafClearance& out) {
+HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float limit,
+                             LeafClearance& out) {
   const Lanes d;
   const Floats zero = hn::Zero(d);
   for (std::size_t first = 0; first < tree_width; first += hn::Lanes(d)) {
@@ -165,7 +178,8 @@ HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, LeafCl
           hn::Add(dot(q.plane_normal, c), all(q.plane_distance - q.plane_epsilon));
       plain = hn::And(plain, hn::Gt(nearest_height(q.plane_normal, before), zero));
     }
-    std::uint32_t rest = bits_of(hn::And(counts, hn::AndNot(plain, passed)));
+    const Bools near = hn::Lt(least, all(limit));
+    std::uint32_t rest = bits_of(hn::And(hn::And(counts, near), hn::AndNot(plain, passed)));
     for (; rest; rest &= rest - 1) {
       const auto lane = first + static_cast<std::size_t>(std::countr_zero(rest));
       out.lane[lane] = scalar_sphere(leaf, lane, q);

@@ -19,6 +19,21 @@ parker::HalfSpace before(const LocalQuery& q) {
           dot(q.plane_normal, q.origin) - q.plane_distance + q.plane_epsilon};
 }
 
+// The point of a side that the ray passes nearest to, found where both ends are seen from the
+// origin: in the plane at unit distance.
+Vec3 nearest_on_side(Vec3 a, Vec3 b) {
+  if (a.z <= 0 && b.z <= 0) return a;
+  const float front = 1e-4f * std::max(a.z, b.z);
+  if (a.z < front) a = b + (a - b) * ((b.z - front) / (b.z - a.z));
+  if (b.z < front) b = a + (b - a) * ((a.z - front) / (a.z - b.z));
+  const Vec2 from{a.x / a.z, a.y / a.z}, along{b.x / b.z - from.x, b.y / b.z - from.y};
+  const float square = along.x * along.x + along.y * along.y;
+  const float s =
+      square > 0 ? std::clamp(-(from.x * along.x + from.y * along.y) / square, 0.0f, 1.0f) : 0.0f;
+  // Back from the projected side to the side itself.
+  return a + (b - a) * (s * a.z / (b.z + s * (a.z - b.z)));
+}
+
 // The point of triangle abc that the ray meets or, failing that, passes nearest to, searched on its
 // sides; ray coordinates.
 Vec3 nearest_point(const Vec3* p, bool inside) {
@@ -30,13 +45,9 @@ Vec3 nearest_point(const Vec3* p, bool inside) {
   Vec3 best = p[0];
   float least = INFINITY;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 &a = p[i], &b = p[(i + 1) % 3];
-    constexpr int steps = 32;  // the texture's field is known to a texel anyway
-    for (int s = 0; s < steps; ++s) {
-      const Vec3 at = a + (b - a) * (static_cast<float>(s) / steps);
-      const float c = at.z > 0 ? std::hypot(at.x, at.y) / at.z : INFINITY;
-      if (c < least) least = c, best = at;
-    }
+    const Vec3 at = nearest_on_side(p[i], p[(i + 1) % 3]);
+    const float c = at.z > 0 ? std::hypot(at.x, at.y) / at.z : INFINITY;
+    if (c < least) least = c, best = at;
   }
   return best;
 }

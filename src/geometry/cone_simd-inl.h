@@ -66,7 +66,7 @@ HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Flo
 }
 
 HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const ConeSlabs& slabs,
-                              ChildTest& test) {
+                              float limit, ChildTest& test) {
   const Lanes d;
   const float* origin = &q.origin.x;
   const float* horizon = &q.horizon.x;
@@ -87,19 +87,22 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
     // A few roundings on either side (Ize 2013, Robust BVH Ray Traversal).
     const Bools met = hn::Le(hn::Mul(near, all(1 - 0x1p-21f)), hn::Mul(far, all(1 + 0x1p-21f)));
     const Bools above = hn::Gt(height, all(q.epsilon));
-    test.hits |= bits_of(hn::And(met, above)) << first;
 
     const Point c{middle[0], middle[1], middle[2]};
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
     const Floats r = hn::Sqrt(size2), away = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
     const Floats reach = hn::Max(hn::Add(z, r), all(1e-30f));
-    hn::Store(hn::Div(hn::Sub(away, r), reach), d, test.least + first);
+    const Floats least = hn::Div(hn::Sub(away, r), reach);
+    hn::Store(least, d, test.least + first);
+    const Bools near_enough = hn::Lt(least, all(limit));
+    test.hits |= bits_of(hn::And(hn::And(met, above), near_enough)) << first;
   }
 }
 
-/// Distance from the origin to segments in the plane at unit distance, ends given before division;
-/// the SIMD twin of parker::detail::segment_clearance without its ends.
-HWY_INLINE Floats side_clearance(const Point& a, const Point& b) {
+/// Squared distance from the origin to segments in the plane at unit distance, ends given before
+/// division; the SIMD twin of parker::detail::segment_clearance without its ends. Squares, for
+/// roots cost as much as the rest.
+HWY_INLINE Floats side_clearance2(const Point& a, const Point& b) {
   const Floats nx = hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y));
   const Floats ny = hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z));
   const Floats nz = hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x));
@@ -109,12 +112,13 @@ HWY_INLINE Floats side_clearance(const Point& a, const Point& b) {
   const Bools between =
       hn::And(hn::Xor(hn::Lt(along_a, hn::Zero(Lanes())), hn::Lt(along_b, hn::Zero(Lanes()))),
               hn::Gt(across, hn::Zero(Lanes())));
-  return hn::IfThenElse(between, hn::Div(hn::Abs(nz), hn::Sqrt(across)), all(infinite));
+  return hn::IfThenElse(between, hn::Div(hn::Mul(nz, nz), across), all(infinite));
 }
 
-HWY_INLINE Floats end_clearance(const Point& a) {
-  const Floats away = hn::Sqrt(hn::MulAdd(a.x, a.x, hn::Mul(a.y, a.y)));
-  return hn::IfThenElse(hn::Gt(a.z, hn::Zero(Lanes())), hn::Div(away, a.z), all(infinite));
+HWY_INLINE Floats end_clearance2(const Point& a) {
+  const Floats away2 = hn::MulAdd(a.x, a.x, hn::Mul(a.y, a.y));
+  return hn::IfThenElse(hn::Gt(a.z, hn::Zero(Lanes())), hn::Div(away2, hn::Mul(a.z, a.z)),
+                        all(infinite));
 }
 
 }  // namespace penumbra::HWY_NAMESPACE

@@ -25,9 +25,11 @@ void triangle_corners(const Mesh& mesh, std::uint32_t triangle, const Affine& to
 
 class Builder {
  public:
-  explicit Builder(ConeTree::Data& data) : data_(data), scene_(*data.scene) {}
+  Builder(ConeTree::Data& data, std::size_t most_copied)
+      : data_(data), scene_(*data.scene), most_copied_(most_copied) {}
 
   void build() {
+    count_instanced();
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
     for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
       const Sphere& s = scene_.spheres[i];
@@ -45,12 +47,18 @@ class Builder {
 
  private:
   static constexpr std::uint32_t PrimitiveNone = 0xffffffffu;
+  void count_instanced() {
+    for (const Instance& instance : scene_.instances)
+      if (!instance.world_from_mesh.is_identity())
+        instanced_triangles_ += scene_.meshes[instance.mesh].triangle_count();
+  }
 
   void add_instance(std::uint32_t index) {
     const Instance& instance = scene_.instances[index];
     if (data_.masks.find(instance.material)) return add_cut_outs(index);
     // A similarity keeps circular cones circular; any other map is applied to the vertices.
-    if (!instance.world_from_mesh.is_identity() && is_similarity(instance.world_from_mesh))
+    if (instanced_triangles_ > most_copied_ && !instance.world_from_mesh.is_identity() &&
+        is_similarity(instance.world_from_mesh))
       return add_placement(index);
     const Mesh& mesh = scene_.meshes[instance.mesh];
     data_.ranges.push_back({next_id_, index});
@@ -147,11 +155,12 @@ class Builder {
   std::vector<BuildPrimitive> primitives_;
   std::map<std::uint32_t, Child> subtrees_;
   std::uint32_t next_id_ = 0;
+  std::size_t instanced_triangles_ = 0, most_copied_;
 };
 
-template <class T>
-std::size_t bytes(const std::vector<T>& v) {
-  return v.capacity() * sizeof(T);
+template <class Vector>
+std::size_t bytes(const Vector& v) {
+  return v.capacity() * sizeof(typename Vector::value_type);
 }
 
 }  // namespace
@@ -170,10 +179,9 @@ std::pair<std::uint32_t, std::uint32_t> ConeTree::Data::range_of(int instance) c
   return {0, 0};
 }
 
-void build_cone_tree(ConeTree::Data& data) { Builder(data).build(); }
-
-ConeTree::ConeTree(const Scene& scene) : data_(std::make_unique<Data>(scene)) {
-  build_cone_tree(*data_);
+ConeTree::ConeTree(const Scene& scene, std::size_t most_copied_triangles)
+    : data_(std::make_unique<Data>(scene)) {
+  Builder(*data_, most_copied_triangles).build();
 }
 
 ConeTree::~ConeTree() = default;

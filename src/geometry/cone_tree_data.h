@@ -5,6 +5,7 @@
 
 #include "geometry/alpha_mask.h"
 #include "geometry/cone_tree.h"
+#include "geometry/huge_pages.h"
 
 namespace penumbra {
 
@@ -72,8 +73,8 @@ struct TriangleRange {
 struct ConeTree::Data {
   const Scene* scene = nullptr;
   AlphaMasks masks;
-  std::vector<WideNode> nodes;
-  std::vector<TriangleLeaf> triangles;
+  HugeVector<WideNode> nodes;
+  HugeVector<TriangleLeaf> triangles;
   std::vector<SphereLeaf> spheres;
   std::vector<Placement> placements;
   std::vector<CutOut> cut_outs;
@@ -88,8 +89,5 @@ struct ConeTree::Data {
   /// Numbers first ≤ id < last of an instance's triangles; empty if it has none here.
   std::pair<std::uint32_t, std::uint32_t> range_of(int instance) const;
 };
-
-/// Fills `data` for its scene, in parallel; the same tree at any thread count.
-void build_cone_tree(ConeTree::Data& data);
 
 }  // namespace penumbra

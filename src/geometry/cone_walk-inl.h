@@ -69,7 +69,7 @@ class Walk {
   HWY_INLINE bool open(const WideNode& node) {
     ++counts_.nodes;
     ChildTest test;
-    test_children(node, q_, slabs_, test);
+    test_children(node, q_, slabs_, sink_.limit(), test);
     int found[tree_width], count = 0;
     for (std::uint32_t hits = test.hits; hits; hits &= hits - 1) {
       const int i = std::countr_zero(hits);
@@ -84,7 +84,7 @@ class Walk {
   HWY_INLINE bool look(const TriangleLeaf& leaf) {
     ++counts_.leaves;
     LeafClearance found;
-    triangle_lanes(leaf, q_, found);
+    triangle_lanes(leaf, q_, sink_.limit(), found);
     if (q_.excluded_last > q_.excluded_first) exclude(leaf, found);
     if constexpr (Sink::by_object) {
       for (int i = 0; i < tree_width; ++i)
@@ -98,7 +98,7 @@ class Walk {
   HWY_INLINE bool look(const SphereLeaf& leaf) {
     ++counts_.leaves;
     LeafClearance found;
-    sphere_lanes(leaf, q_, found);
+    sphere_lanes(leaf, q_, sink_.limit(), found);
     if constexpr (Sink::by_object) {
       for (int i = 0; i < tree_width; ++i) sink_.offer(found.lane[i], leaf.object[i]);
       return false;
@@ -175,7 +175,8 @@ class Walk {
 template <class Sink>
 void walk(const ConeTree::Data& data, const ConeQuery& query, Sink& sink, ConeCounts& counts) {
   LocalQuery local(query, data.bounds);
-  std::tie(local.excluded_first, local.excluded_last) = data.range_of(query.excluded_instance);
+  if (query.excluded_instance >= 0)
+    std::tie(local.excluded_first, local.excluded_last) = data.range_of(query.excluded_instance);
   Walk<Sink>(data, local, sink, counts).run(data.root, query);
 }
 

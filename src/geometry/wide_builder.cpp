@@ -116,7 +116,7 @@ RTCBounds joined(const RTCBounds& a, const RTCBounds& b) {
 
 class Flattener {
  public:
-  Flattener(std::vector<WideNode>& nodes, const PackLeaf& pack) : nodes_(nodes), pack_(pack) {}
+  Flattener(HugeVector<WideNode>& nodes, const PackLeaf& pack) : nodes_(nodes), pack_(pack) {}
 
   // Depth is bounded by the builder's maxDepth.
   Child flatten(const Built* built) {
@@ -184,13 +184,13 @@ class Flattener {
     return group;
   }
 
-  std::vector<WideNode>& nodes_;
+  HugeVector<WideNode>& nodes_;
   const PackLeaf& pack_;
 };
 
 }  // namespace
 
-Child build_wide_tree(const std::vector<BuildPrimitive>& primitives, std::vector<WideNode>& nodes,
+Child build_wide_tree(const std::vector<BuildPrimitive>& primitives, HugeVector<WideNode>& nodes,
                       const PackLeaf& pack) {
   if (primitives.empty()) return {};
   std::vector<RTCBuildPrimitive> input = embree_primitives(primitives);

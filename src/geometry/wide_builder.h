@@ -21,7 +21,7 @@ struct BuildPrimitive {
 using PackLeaf = std::function<Child(ChildKind kind, const std::uint32_t* indices, int count)>;
 
 /// Appends nodes to `nodes` and returns the root; kind none for no primitives.
-Child build_wide_tree(const std::vector<BuildPrimitive>& primitives, std::vector<WideNode>& nodes,
+Child build_wide_tree(const std::vector<BuildPrimitive>& primitives, HugeVector<WideNode>& nodes,
                       const PackLeaf& pack);
 
 }  // namespace penumbra

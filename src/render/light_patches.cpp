@@ -46,9 +46,11 @@ std::vector<LightPatch> rect_patches(const Light& light, int count) {
   const int nv = std::max(1, count / nu);
   const float area = length(cross(light.edge_u, light.edge_v)) / static_cast<float>(nu * nv);
   std::vector<LightPatch> patches;
+  patches.reserve(nu * nv);
   for (int i = 0; i < nu * nv; ++i) {
+    const int row = i / nu;
     const float u = (static_cast<float>(i % nu) + 0.5f) / static_cast<float>(nu) - 0.5f;
-    const float v = (static_cast<float>(i / nu) + 0.5f) / static_cast<float>(nv) - 0.5f;
+    const float v = (static_cast<float>(row) + 0.5f) / static_cast<float>(nv) - 0.5f;
     patches.push_back({light.position + light.edge_u * u + light.edge_v * v, light.normal, area});
   }
   return patches;
@@ -58,6 +60,7 @@ std::vector<LightPatch> segment_patches(const Light& light, int count) {
   const float size = length(light.edge_u), step = 1.0f / static_cast<float>(count);
   if (!(size > 0)) return {};
   std::vector<LightPatch> patches;
+  patches.reserve(count);
   for (int i = 0; i < count; ++i)
     patches.push_back(
         {light.position + light.edge_u * ((static_cast<float>(i) + 0.5f) * step - 0.5f),

@@ -60,9 +60,7 @@ void adaptive_visibility(const Shadows& shadows, std::size_t light,
     const Visibility seen =
         area.finish(points[i].receiver, light, points[i].stream, first[i],
                     verdicts.neighbour_disagrees(points[i].pixel), scratch, counts);
-    arrivals[i] = arrival_from(scratch, points[i].shading);
-    arrivals[i].visibility = seen;
-    if (first[i].verdict == Verdict::lit) arrivals[i].diffuse = arrivals[i].glossy = 1;
+    arrivals[i] = arrival_of(seen, scratch, points[i].shading);
   }
 }
 

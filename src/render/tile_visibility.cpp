@@ -23,10 +23,7 @@ LightArrival arrival_at(const Shadows& shadows, std::size_t light, const TilePoi
   if (shadows.sums_light_points()) {
     const Visibility seen =
         shadows.light_points(point.receiver, light, point.stream, scratch, counts);
-    // No points: a cone has shown that the whole light is seen.
-    if (!scratch.empty()) arrival = arrival_from(scratch, point.shading);
-    arrival.visibility = seen;
-    return arrival;
+    return arrival_of(seen, scratch, point.shading);
   }
   arrival.visibility = shadows.visibility(point.receiver, light, point.stream, counts);
   arrival.diffuse = arrival.glossy = arrival.visibility.fraction;
@@ -34,6 +31,17 @@ LightArrival arrival_at(const Shadows& shadows, std::size_t light, const TilePoi
 }
 
 }  // namespace
+
+LightArrival arrival_of(const Visibility& seen, std::span<const LightPoint> light_points,
+                        const ShadingPoint& point) {
+  LightArrival arrival;
+  if (light_points.empty())
+    arrival.diffuse = arrival.glossy = seen.fraction;
+  else
+    arrival = arrival_from(light_points, point);
+  arrival.visibility = seen;
+  return arrival;
+}
 
 LightArrival arrival_from(std::span<const LightPoint> light_points, const ShadingPoint& point) {
   const bool glossy = point.is_glossy();

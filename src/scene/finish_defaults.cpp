@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <array>
 #include <numbers>
 
 #include "scene/finish.h"
@@ -26,27 +27,43 @@ View view_along(const Vec3d& back, Vec3d up) {
   return {right, cross(back, right), back};
 }
 
-/// The least distance from the box's centre at which a camera sees all of its corners.
-double framing_distance(const Bounds& box, const View& view) {
-  const double tan_y = std::tan(kVerticalFov / 2) / kMargin, tan_x = tan_y * kAspect;
-  const Vec3d half = Vec3d(box.hi) * 0.5 - Vec3d(box.lo) * 0.5;
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d p(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
-                  corner & 4 ? half.z : -half.z);
-    const double needed =
-        std::max(std::abs(dot(p, view.right)) / tan_x, std::abs(dot(p, view.up)) / tan_y);
-    distance = std::max(distance, dot(p, view.back) + needed);
-  }
-  return distance;
+View framing_view() { return view_along(normalize(Vec3d{0.55, 0.4, 1}), {0, 1, 0}); }
+
+/// How far the scene reaches along each of four directions: the greatest dot product.
+using Reach = std::array<double, 4>;
+
+Reach reach_of(const Scene& scene, const std::array<Vec3d, 4>& along) {
+  Reach reach;
+  reach.fill(-INFINITY);
+  const auto grow = [&](const Vec3d& p, double radius) {
+    for (std::size_t i = 0; i < 4; ++i)
+      reach[i] = std::max(reach[i], dot(p, along[i]) + radius * length(along[i]));
+  };
+  for (const Instance& instance : scene.instances)
+    for (const Vec3& p : scene.meshes[instance.mesh].positions)
+      grow(instance.world_from_mesh.point(Vec3d(p)), 0);
+  for (const Sphere& sphere : scene.spheres) grow(Vec3d(sphere.center), sphere.radius);
+  return reach;
 }
 
-Camera framing_camera(const Bounds& box) {
-  const View view = view_along(normalize(Vec3d{0.55, 0.4, 1}), {0, 1, 0});
+/// The nearest camera that sees every vertex and sphere, with as much room on the left as on the
+/// right and above as below. In the view's coordinates, z backwards, the camera c sees p if
+/// |p.x − c.x| ≤ (c.z − p.z) tan_x: both signs bound c.x and c.z by the reach of the scene along
+/// ±x + z tan_x; the same for y.
+Camera framing_camera(const Scene& scene, const Bounds& box) {
+  const View view = framing_view();
+  const double tan_y = std::tan(kVerticalFov / 2) / kMargin, tan_x = tan_y * kAspect;
+  const Vec3d back_x = view.back * tan_x, back_y = view.back * tan_y;
+  const Reach reach = reach_of(
+      scene, {view.right + back_x, -view.right + back_x, view.up + back_y, -view.up + back_y});
+  const double x = (reach[0] - reach[1]) / 2, y = (reach[2] - reach[3]) / 2;
+  const double z =
+      std::max((reach[0] + reach[1]) / (2 * tan_x), (reach[2] + reach[3]) / (2 * tan_y));
+  const Vec3d axis = view.right * x + view.up * y;
   Camera camera;
   camera.name = "framing";
-  camera.look_at = box.center();
-  camera.position = Vec3(Vec3d(box.center()) + view.back * framing_distance(box, view));
+  camera.position = Vec3(axis + view.back * z);
+  camera.look_at = Vec3(axis + view.back * dot(Vec3d(box.center()), view.back));
   camera.vertical_fov = static_cast<float>(kVerticalFov);
   return camera;
 }
@@ -64,10 +81,10 @@ Light key_light(const Vec3d& position, const Vec3d& target, double radius) {
   return light;
 }
 
-/// For a model on its own: above and to the left of the camera's direction.
-Light light_for_model(const Bounds& box, const Camera& camera) {
+/// For a model on its own: above and to the left of the framing camera's direction.
+Light light_for_model(const Bounds& box) {
   const Vec3d center(box.center());
-  const View view = view_along(direction_or_z(Vec3d(camera.position) - center), Vec3d(camera.up));
+  const View view = framing_view();
   const Vec3d direction = normalize(view.back - view.right * 0.7 + view.up * 0.9);
   const double distance = 2.5 * 0.5 * box.diagonal();
   return key_light(center + direction * distance, center, 0.15 * distance);
@@ -93,11 +110,11 @@ void add_missing_camera_and_light(Scene& scene) {
   if (box.empty()) return;
   auto& notes = scene.report.conversions;
   if (needs_camera) {
-    scene.cameras.push_back(framing_camera(box));
+    scene.cameras.push_back(framing_camera(scene, box));
     notes.push_back("the file has no camera: added one that frames the scene");
   }
   if (needs_light) {
-    scene.lights.push_back(needs_camera ? light_for_model(box, scene.cameras.front())
+    scene.lights.push_back(needs_camera ? light_for_model(box)
                                         : light_beside_camera(box, scene.cameras.front()));
     notes.push_back("the file has no light: added a soft key light near the camera's side");
   }

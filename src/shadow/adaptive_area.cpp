@@ -14,12 +14,12 @@ constexpr int neighbourhood = 9;  // pixels whose first points agree vouch for o
 
 int cell_of(float x, int g) { return std::min(static_cast<int>(x * static_cast<float>(g)), g - 1); }
 
-// The grid at which a long straight edge, crossing about g cells on either side, is known well
-// enough.
-int grid_for(float error) {
+// One finer than the grid at which a long straight edge, crossing about g cells on either side, is
+// known well enough: some edges are longer.
+int finest_grid(float error) {
   int g = first_grid;
   while (g < 64 && AdaptiveArea::standard_error(2 * g, g * g, g * g) > error) g *= 2;
-  return g;
+  return std::min(2 * g, 64);
 }
 
 }  // namespace
@@ -34,16 +34,18 @@ AdaptiveArea::AdaptiveArea(const World& world, const LightViews& lights, float e
     : world_(world),
       lights_(lights),
       error_(error),
-      finest_(grid_for(error)),
+      finest_(finest_grid(error)),
       samples_(finest_ * finest_, seed) {
-  for (int t = 0; t < samples_.table_count(); ++t) {
-    auto& table = point_in_cell_.emplace_back(static_cast<std::size_t>(samples_.count()));
-    for (int i = 0; i < samples_.count(); ++i) {
-      const Vec2 p = samples_.table(t)[i];
-      table[static_cast<std::size_t>(cell_of(p.y, finest_) * finest_ + cell_of(p.x, finest_))] =
-          static_cast<std::uint16_t>(i);
+  for (int g = first_grid; g <= finest_; g *= 2) ++grids_;
+  for (int t = 0; t < samples_.table_count(); ++t)
+    for (int g = first_grid; g <= finest_; g *= 2) {
+      auto& cells = point_in_cell_.emplace_back(static_cast<std::size_t>(g * g));
+      for (int i = 0; i < g * g; ++i) {
+        const Vec2 p = samples_.table(t)[i];
+        cells[static_cast<std::size_t>(cell_of(p.y, g) * g + cell_of(p.x, g))] =
+            static_cast<std::uint16_t>(i);
+      }
     }
-  }
 }
 
 /// One receiver, one light.
@@ -62,7 +64,8 @@ class AdaptiveArea::Search {
   void trace(ShadowCounts& counts) {
     rays_.clear(), ray_point_.clear();
     for (const int i : asked_) {
-      const LightTarget target = make_.target(pattern_, i);
+      const LightTarget& target = memory_.target[static_cast<std::size_t>(i)] =
+          make_.target(pattern_, i);
       seen(i) = false;
       if (dot(target.direction, receiver_.normal) <= 0) continue;
       rays_.push_back({origin_, target.direction, 0, std::max(target.t_max, 0.0f)});
@@ -88,6 +91,7 @@ class AdaptiveArea::Search {
       const Vec2 p = pattern_.square[i];
       const int cell = cell_of(p.y, first_grid) * first_grid + cell_of(p.x, first_grid);
       seen(i) = visible >> cell & 1;
+      memory_.target[static_cast<std::size_t>(i)] = make_.target(pattern_, i);
     }
   }
 
@@ -109,11 +113,11 @@ class AdaptiveArea::Search {
     BitGrid out = grid.doubled(), cells = split.doubled();
     asked_.clear();
     for_each(cells, [&](int x, int y) {
-      const int i = point_at(x, y, g, points);
+      const int i = point_at(x, y, g);
       if (i >= points / 4) asked_.push_back(i);
     });
     trace(counts);
-    for_each(cells, [&](int x, int y) { out.set(x, y, seen(point_at(x, y, g, points))); });
+    for_each(cells, [&](int x, int y) { out.set(x, y, seen(point_at(x, y, g))); });
     own = cells;
     return out;
   }
@@ -123,8 +127,8 @@ class AdaptiveArea::Search {
     const int g = sampled.g;
     const float share = 1 / static_cast<float>(g * g);
     for_each(sampled, [&](int x, int y) {
-      const int i = point_at(x, y, g, g * g);
-      const LightTarget target = make_.target(pattern_, i);
+      const int i = point_at(x, y, g);
+      const LightTarget& target = memory_.target[static_cast<std::size_t>(i)];
       points.push_back(
           {target.direction, target.weight * share, seen_[static_cast<std::size_t>(i)] != 0});
     });
@@ -137,17 +141,12 @@ class AdaptiveArea::Search {
   }
 
  private:
-  /// The point among the first `count` that falls into cell (x, y) of a g × g grid.
-  int point_at(int x, int y, int g, int count) const {
-    const int scale = area_.finest_ / g;
-    const auto& table = area_.point_in_cell_[static_cast<std::size_t>(pattern_.table)];
-    for (int v = 0; v < scale; ++v)
-      for (int u = 0; u < scale; ++u) {
-        const int i =
-            table[static_cast<std::size_t>((y * scale + v) * area_.finest_ + x * scale + u)];
-        if (i < count) return i;
-      }
-    return 0;
+  /// The point among the first g² that falls into cell (x, y) of a g × g grid.
+  int point_at(int x, int y, int g) const {
+    const int level = std::countr_zero(static_cast<unsigned>(g / first_grid));
+    const auto& cells =
+        area_.point_in_cell_[static_cast<std::size_t>(pattern_.table * area_.grids_ + level)];
+    return cells[static_cast<std::size_t>(y * g + x)];
   }
   std::uint8_t& seen(int i) { return seen_[static_cast<std::size_t>(i)]; }
 
@@ -157,15 +156,21 @@ class AdaptiveArea::Search {
   LightPoints make_;
   SamplePattern pattern_;
   Vec3 origin_;
-  static thread_local std::vector<std::uint8_t> seen_, blocked_;
-  static thread_local std::vector<int> asked_, ray_point_;
-  static thread_local std::vector<ShadowRay> rays_;
+  struct Scratch {
+    std::vector<std::uint8_t> seen = std::vector<std::uint8_t>(64 * 64), blocked;
+    std::vector<LightTarget> target = std::vector<LightTarget>(64 * 64);
+    std::vector<int> asked, ray_point;
+    std::vector<ShadowRay> rays;
+  };
+  static Scratch& scratch() {
+    thread_local Scratch memory;
+    return memory;
+  }
+  Scratch& memory_ = scratch();
+  std::vector<std::uint8_t>&seen_ = memory_.seen, &blocked_ = memory_.blocked;
+  std::vector<int>&asked_ = memory_.asked, &ray_point_ = memory_.ray_point;
+  std::vector<ShadowRay>& rays_ = memory_.rays;
 };
-
-thread_local std::vector<std::uint8_t> AdaptiveArea::Search::seen_(64 * 64),
-    AdaptiveArea::Search::blocked_;
-thread_local std::vector<int> AdaptiveArea::Search::asked_, AdaptiveArea::Search::ray_point_;
-thread_local std::vector<ShadowRay> AdaptiveArea::Search::rays_;
 
 AdaptiveArea::First AdaptiveArea::first(const Receiver& receiver, std::size_t light,
                                         std::uint64_t stream, ShadowCounts& counts) const {
@@ -184,13 +189,17 @@ Visibility AdaptiveArea::finish(const Receiver& receiver, std::size_t light, std
                                 std::vector<LightPoint>& points, ShadowCounts& counts) const {
   points.clear();
   if (first.verdict == Verdict::lit) return {1, 0};
+  const int vouching = neighbour_disagrees ? 1 : neighbourhood;
+  if (first.verdict != Verdict::mixed) {
+    const float doubt = standard_error(0, 0, first_grid * first_grid * vouching);
+    if (doubt <= error_) return {first.verdict == Verdict::all_visible ? 1.0f : 0.0f, doubt};
+  }
   Search search(*this, receiver, light, stream);
   search.recall(first.visible);
   BitGrid grid = search.first_from_seen();
   BitGrid own;
   own.g = first_grid;
   std::fill_n(own.rows, first_grid, own.full_row());
-  const int vouching = neighbour_disagrees ? 1 : neighbourhood;
   float error = 0;
   for (;;) {
     BitGrid split = grid.edges();
@@ -198,7 +207,9 @@ Visibility AdaptiveArea::finish(const Receiver& receiver, std::size_t light, std
     const int cells = grid.g * grid.g, edge_cells = split.count();
     error = standard_error(edge_cells, cells, cells * (edge_cells ? 1 : vouching));
     if (error <= error_ || grid.g >= finest_) break;
-    if (edge_cells == 0) split = own;
+    // A cell that an edge merely nicks looks whole; while that could cost more than the error, none
+    // is taken for whole.
+    if (edge_cells == 0 || 0.125f / static_cast<float>(cells) > error_) split = own;
     BitGrid kept = own;
     for (int y = 0; y < grid.g; ++y) kept.rows[y] &= ~split.rows[y];
     search.collect(kept, points);

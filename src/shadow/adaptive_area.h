@@ -34,8 +34,8 @@ class AdaptiveArea {
 
   /// More points until the estimated standard error is below the limit. `neighbour_disagrees`: what
   /// is next to the receiver sees something else, so a unanimous first answer is not believed.
-  /// `points` (cleared first) is left with what was traced, each weighted by its cell; empty for a
-  /// lit verdict.
+  /// `points` (cleared first) is left with what was traced, each weighted by its cell; empty where
+  /// the fraction is 0 or 1 by the first answer alone.
   Visibility finish(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                     const First& first, bool neighbour_disagrees, std::vector<LightPoint>& points,
                     ShadowCounts& counts) const;
@@ -50,9 +50,11 @@ class AdaptiveArea {
   const World& world_;
   const LightViews& lights_;
   float error_;
-  int finest_;  ///< grid that the error needs at most
+  int finest_;  ///< grid, 64 at most: errors below about 0.001 are not reached
   LightSamples samples_;
-  std::vector<std::vector<std::uint16_t>> point_in_cell_;  ///< per table: of the finest grid
+  /// Per table and grid, coarsest first: the point among the first g² in each cell.
+  std::vector<std::vector<std::uint16_t>> point_in_cell_;
+  int grids_ = 0;
 };
 
 }  // namespace penumbra

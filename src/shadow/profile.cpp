@@ -25,12 +25,13 @@ SearchLimit search_limit(Profile profile, float tolerance) {
   // left out: what lies between s⁻¹(s(τ) − tolerance) and τ, for the largest τ of the bin.
   for (float& fraction : limit.fraction) {
     const float floor = visible_fraction(profile, fraction) - tolerance;
+    if (floor <= 0) continue;
     float lo = 0, hi = fraction;
     for (int i = 0; i < 30; ++i) {
       const float middle = (lo + hi) / 2;
       (visible_fraction(profile, middle) < floor ? lo : hi) = middle;
     }
-    fraction = floor <= 0 ? 0 : hi;
+    fraction = hi;
   }
   return limit;
 }

@@ -10,7 +10,8 @@ namespace penumbra {
 float visible_fraction(Profile profile, float tau);
 
 /// What a search for the least clearance may leave out so that the visible fraction changes by at
-/// most `tolerance`, and never at the outer edge of the penumbra, where a step would show.
+/// most `tolerance`; never at the outer edge of the penumbra, where a step would show, and never in
+/// the dark: a blocked ray always gives 0, or the seams between triangles would show.
 SearchLimit search_limit(Profile profile, float tolerance);
 
 }  // namespace penumbra

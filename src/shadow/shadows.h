@@ -90,8 +90,8 @@ class Shadows {
   /// With an error limit: the search in two steps, for callers who know the neighbours; else null.
   const AdaptiveArea* adaptive() const { return adaptive_.get(); }
 
-  /// The same for area, with the light's points left in `points` (cleared first); none where the
-  /// whole light is known to be seen.
+  /// The same for area, with the light's points left in `points` (cleared first); none where
+  /// the whole light, or nothing of it, is known to be seen.
   Visibility light_points(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                           std::vector<LightPoint>& points, ShadowCounts& counts) const;
 

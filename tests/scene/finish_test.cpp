@@ -327,6 +327,24 @@ TEST(Defaults, CameraFramesTheSceneAtAnyScale) {
     }
 }
 
+TEST(Defaults, CameraFramesSpheresAndInstances) {
+  Scene scene = scene_of({triangle()});
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].world_from_mesh.t = {0, 40, 0};
+  scene.spheres.push_back({{0, 20, 0}, 3, 0, 0});
+  add_missing_camera_and_light(scene);
+  const Camera& camera = scene.cameras.at(0);
+  const float top = project(camera, {0, 41, 0}, 1).y;
+  const float bottom = std::min(project(camera, {0, 0, 0}, 1).y, project(camera, {1, 0, 0}, 1).y);
+  EXPECT_NEAR(top, 1 / 1.06, 1e-4);
+  EXPECT_NEAR(bottom, -1 / 1.06, 1e-4) << "as much room below as above";
+  scene = Scene{};
+  scene.spheres.push_back({{1, 2, 3}, 3, 0, 0});
+  add_missing_camera_and_light(scene);
+  const float half_angle = std::atan(std::tan(scene.cameras.at(0).vertical_fov / 2) / 1.06f);
+  EXPECT_NEAR(length(scene.cameras[0].position - Vec3{1, 2, 3}), 3 / std::sin(half_angle), 1e-3);
+}
+
 TEST(Defaults, KeyLightGivesIrradiancePiAndCastsSoftShadows) {
   Scene scene = scene_of({triangle({3, 3, 3}, 2)});
   add_missing_camera_and_light(scene);

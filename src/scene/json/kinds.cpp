@@ -160,14 +160,14 @@ Vec3d scale(const At& at) {
 std::string text(const At& at) {
   if (!at.value.isString())
     refuse(at, fmt::format("\"{}\" is {}", at.key, type_name(at.value)), "give a string");
-  const std::string s = at.value.asString();
+  std::string s = at.value.asString();
   if (std::ranges::any_of(s, [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
     refuse(at, fmt::format("\"{}\" holds a control character", at.key), "give plain text");
   return s;
 }
 
 std::string file_name(const At& at) {
-  const std::string s = text(at);
+  std::string s = text(at);
   if (s.empty()) refuse(at, fmt::format("\"{}\" is empty", at.key), "give a file name");
   return s;
 }

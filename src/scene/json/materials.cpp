@@ -45,11 +45,11 @@ Material read_material(Builder& builder, const Member& member) {
   return material;
 }
 
-std::optional<std::uint32_t> material_named(Builder& builder, ObjectReader& object,
-                                            const std::string& name) {
+std::uint32_t material_named(Builder& builder, ObjectReader& object, const std::string& name) {
   if (const auto found = builder.materials.find(name); found != builder.materials.end())
     return found->second;
   std::vector<std::string_view> names;
+  names.reserve(builder.materials.size());
   for (const auto& [known, index] : builder.materials) names.push_back(known);
   object.refuse_key(
       "material", fmt::format("unknown material \"{}\"", name),
@@ -67,7 +67,7 @@ void read_materials(Builder& builder, const Json::Value& materials) {
 
 std::uint32_t required_material(Builder& builder, ObjectReader& object) {
   const std::string name = object.required("material", text);
-  return object.find("material") ? *material_named(builder, object, name) : 0;
+  return object.find("material") ? material_named(builder, object, name) : 0;
 }
 
 std::optional<std::uint32_t> optional_material(Builder& builder, ObjectReader& object) {
