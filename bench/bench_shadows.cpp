@@ -31,7 +31,7 @@ constexpr std::size_t block = 256;
 constexpr int packets[] = {1, 8, 16};
 
 struct Arguments {
-  int size = 256, repeats = 5, threads = 0;
+  int size = 192, repeats = 5, threads = 0;
   std::string scene, against;
   std::vector<float> factors;
 };

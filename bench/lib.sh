@@ -62,8 +62,13 @@ describe_machine() {
 # put_into PAGE FILE: replaces what is between the page's markers.
 put_into() {
   begin='<!-- bench/run: begin -->' end='<!-- bench/run: end -->'
-  [ -e "$1" ] || printf '# Benchmarks\n\n%s\n%s\n' "$begin" "$end" >"$1"
-  grep -qxF -e "$begin" "$1" && grep -qxF -e "$end" "$1" || die "$1 has lost its markers"
+  if [ ! -e "$1" ]; then
+    printf '# Benchmarks\n\nMade by `bench/run --write`, which says how.\n\n%s\n%s\n' "$begin" \
+      "$end" >"$1"
+  fi
+  for marker in "$begin" "$end"; do
+    grep -qxF -e "$marker" "$1" || die "$1 has lost its marker $marker"
+  done
   awk -v begin="$begin" -v end="$end" -v file="$2" '
     $0 == end { inside = 0 }
     !inside { print }
