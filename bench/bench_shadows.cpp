@@ -1,16 +1,18 @@
 // Shadow queries against bare Embree on the same points and rays: ratios within one run.
 //   bench_shadows [--size N] [--repeats N] [--threads N] [--against SCENE] SCENE [FACTOR…]
-// Points: what the first camera sees, one a pixel. Each FACTOR of the first light's radius is a
-// row; 1 if none is given. --against compares parker's time per point with that on another scene.
-// Prints a header and rows, separated by tabs; M/s are million points a second. "bare" is the
-// Embree scene that the methods use, "flat" a faster one (bare_embree.h); a time is compared with
-// that of the fastest way to trace the same rays, "64_rays" is the fastest of flat. bare_… lists
-// single rays and packets of 8 and 16, in the methods' scene; in the flat one.
+// Points: what the first camera sees, one a pixel, in 6 x 6 tiles of 32 x 32 pixels spread over a
+// picture of N x N (1024), asked a tile at a time as the renderer does. Each FACTOR of the first
+// light's radius is a row; 1 if none is given. --against compares parker's time per point with that
+// on another scene. Prints a header and rows, separated by tabs; M/s are million points a second.
+// "bare" is the Embree scene that the methods use, "flat" a faster one (bare_embree.h); a time is
+// compared with that of the fastest way to trace the same rays, "64_rays" is the fastest of flat.
+// bare_… lists single rays and packets of 8 and 16, in the methods' scene; in the flat one.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -27,11 +29,12 @@ namespace penumbra::bench {
 namespace {
 
 constexpr int points_per_light = 64;
-constexpr std::size_t block = 256;
+constexpr int tile = 32, tiles_across = 6;
+constexpr std::size_t block = tile * tile;
 constexpr int packets[] = {1, 8, 16};
 
 struct Arguments {
-  int size = 192, repeats = 5, threads = 0;
+  int size = 1024, repeats = 5, threads = 0;
   std::string scene, against;
   std::vector<float> factors;
 };
@@ -46,9 +49,18 @@ struct Stage {
   Stage(const Scene& original, float factor, int size) : scene(scaled(original, factor)) {
     world = std::make_unique<World>(scene);
     const CameraRays camera(scene.cameras.front(), size, size);
-    for (int i = 0; i < size * size; ++i) {
-      const Ray ray =
-          camera.at(static_cast<float>(i % size) + 0.5f, static_cast<float>(i / size) + 0.5f).ray;
+    const int tiles = std::max(size / tile, 1);
+    const auto corner = [&](int i) { return (2 * i + 1) * tiles / (2 * tiles_across) * tile; };
+    for (int i = 0; i < tiles_across * tiles_across; ++i)
+      add_tile(camera, corner(i % tiles_across), corner(i / tiles_across));
+  }
+
+  void add_tile(const CameraRays& camera, int left, int top) {
+    for (int i = 0; i < tile * tile; ++i) {
+      const Ray ray = camera
+                          .at(static_cast<float>(left + i % tile) + 0.5f,
+                              static_cast<float>(top + i / tile) + 0.5f)
+                          .ray;
       if (const auto hit = world->intersect(ray))
         points.push_back(receiver_of(world->surface(ray, *hit)));
     }
@@ -69,7 +81,12 @@ std::size_t add_method(Race& race, const std::string& name, const Stage& stage,
   return race.add(name, [shadows, &points = stage.points] {
     over_blocks(points.size(), [&](std::size_t first, std::size_t last) {
       ShadowCounts counts;
-      for (std::size_t i = first; i < last; ++i) shadows->visibility(points[i], 0, i, counts);
+      thread_local std::vector<Visibility> seen;
+      thread_local std::vector<std::uint64_t> streams;
+      seen.resize(last - first), streams.resize(last - first);
+      std::iota(streams.begin(), streams.end(), first);
+      shadows->visibilities(std::span(points).subspan(first, last - first), 0, streams, seen,
+                            counts);
     });
   });
 }

@@ -66,6 +66,27 @@ HWY_INLINE Bools blocked(const Corners& c, const LocalQuery& q) {
                  hn::And(hn::Lt(t, all(q.t_max)), hn::Gt(t, zero)));
 }
 
+/// Lanes whose triangle lies beyond one of eight planes that touch the cone of radius
+/// slope · z + offset.
+HWY_INLINE Bools beside_cone(const Point* p, float slope, float offset) {
+  const Floats zero = hn::Zero(Lanes());
+  Floats x[3], y[3], k[3], sum[3], difference[3], wide[3];
+  for (int v = 0; v < 3; ++v) {
+    x[v] = p[v].x, y[v] = p[v].y, k[v] = hn::MulAdd(all(slope), p[v].z, all(offset));
+    sum[v] = hn::Add(x[v], y[v]), difference[v] = hn::Sub(x[v], y[v]);
+    wide[v] = hn::Mul(all(1.41421356f), k[v]);
+  }
+  const auto beyond = [&](const Floats* a, const Floats* reach) {
+    const Floats above[3] = {hn::Sub(a[0], reach[0]), hn::Sub(a[1], reach[1]),
+                             hn::Sub(a[2], reach[2])};
+    const Floats below[3] = {hn::Add(a[0], reach[0]), hn::Add(a[1], reach[1]),
+                             hn::Add(a[2], reach[2])};
+    return hn::Or(hn::Gt(min3(above), zero), hn::Lt(max3(below), zero));
+  };
+  return hn::Or(hn::Or(beyond(x, k), beyond(y, k)),
+                hn::Or(beyond(sum, wide), beyond(difference, wide)));
+}
+
 /// Squared clearance of triangles that lie wholly in the space that counts.
 HWY_INLINE Floats whole_clearance2(const Corners& c) {
   Floats least =
@@ -119,9 +140,9 @@ HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, fl
     }
     const Floats z[3] = {c.p[0].z, c.p[1].z, c.p[2].z};
     const Floats z_least = min3(z), z_most = max3(z), low = min3(c.above);
-    const Bools counts =
-        hn::And(hn::And(hn::Gt(max3(c.above), zero), hn::Gt(z_most, zero)),
-                hn::And(hn::Lt(z_least, all(q.t_max)), hn::Gt(max3(c.before), zero)));
+    Bools counts = hn::And(hn::And(hn::Gt(max3(c.above), zero), hn::Gt(z_most, zero)),
+                           hn::And(hn::Lt(z_least, all(q.t_max)), hn::Gt(max3(c.before), zero)));
+    counts = hn::AndNot(beside_cone(c.p, limit, 0), counts);
     if (hn::AllFalse(d, counts)) {
       hn::Store(all(infinite), d, out.lane + first);
       continue;
@@ -143,6 +164,36 @@ HWY_INLINE void triangle_lanes(const TriangleLeaf& leaf, const LocalQuery& q, fl
       out.lane[lane] = scalar_triangle(leaf, lane, q);
     }
   }
+}
+
+/// Whether any triangle of the leaf may matter to any cone of a bundle, above any of the shaft's
+/// horizons.
+HWY_INLINE bool leaf_in(const TriangleLeaf& leaf, const ConeShaft& shaft,
+                        const ConeBundle& bundle) {
+  const Lanes d;
+  const float* center = &shaft.center.x;
+  const float *normal_lo = &shaft.normal_lo.x, *normal_hi = &shaft.normal_hi.x;
+  for (std::size_t first = 0; first < tree_width; first += hn::Lanes(d)) {
+    Point p[3];
+    Floats z[3], height[3];
+    for (int v = 0; v < 3; ++v) {
+      Floats from[3];
+      height[v] = all(shaft.lift);
+      for (int axis = 0; axis < 3; ++axis) {
+        from[axis] = hn::Sub(hn::Load(d, leaf.position[v][axis] + first), all(center[axis]));
+        height[v] = hn::Add(height[v], hn::Max(hn::Mul(all(normal_lo[axis]), from[axis]),
+                                               hn::Mul(all(normal_hi[axis]), from[axis])));
+      }
+      const Point at{from[0], from[1], from[2]};
+      p[v] = {dot(bundle.axis.u, at), dot(bundle.axis.v, at), dot(bundle.axis.w, at)};
+      z[v] = p[v].z;
+    }
+    const Bools high =
+        hn::And(hn::Gt(max3(height), all(shaft.epsilon)), hn::Ge(max3(z), all(-bundle.radius)));
+    if (!hn::AllFalse(d, hn::AndNot(beside_cone(p, bundle.slope, bundle.offset), high)))
+      return true;
+  }
+  return false;
 }
 
 HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float limit,

@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include "geometry/cone_shaft.h"
 #include "geometry/cone_tree_data.h"
 #include "geometry/local_query.h"
 
@@ -52,7 +53,9 @@ struct ChildTest {
                                       ///< where its bounding sphere reaches over the axis
 };
 
-HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Floats& near,
+/// Slabs: ConeSlabs or ConeShaft.
+template <class Slabs>
+HWY_INLINE void slab(Floats lo, Floats hi, const Slabs& slabs, int axis, Floats& near,
                      Floats& far) {
   const Floats a = hn::Mul(lo, all(slabs.inv_lo[axis])), b = hn::Mul(hi, all(slabs.inv_hi[axis]));
   if (slabs.lo_is_near[axis])
@@ -63,6 +66,11 @@ HWY_INLINE void slab(Floats lo, Floats hi, const ConeSlabs& slabs, int axis, Flo
     far = hn::Min(far, b);
   else
     near = hn::Max(near, b);
+}
+
+/// near ≤ far, with a few roundings on either side (Ize 2013, Robust BVH Ray Traversal).
+HWY_INLINE Bools overlap(Floats near, Floats far) {
+  return hn::Le(hn::Mul(near, all(1 - 0x1p-21f)), hn::Mul(far, all(1 + 0x1p-21f)));
 }
 
 HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const ConeSlabs& slabs,
@@ -84,8 +92,7 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
       const Floats half = hn::Mul(hn::Sub(hi, lo), all(0.5f));
       size2 = hn::MulAdd(half, half, size2);
     }
-    // A few roundings on either side (Ize 2013, Robust BVH Ray Traversal).
-    const Bools met = hn::Le(hn::Mul(near, all(1 - 0x1p-21f)), hn::Mul(far, all(1 + 0x1p-21f)));
+    const Bools met = overlap(near, far);
     const Bools above = hn::Gt(height, all(q.epsilon));
 
     const Point c{middle[0], middle[1], middle[2]};
@@ -97,6 +104,30 @@ HWY_INLINE void test_children(const WideNode& node, const LocalQuery& q, const C
     const Bools near_enough = hn::Lt(least, all(limit));
     test.hits |= bits_of(hn::And(hn::And(met, above), near_enough)) << first;
   }
+}
+
+/// A bit for every child that some cone of the shaft may touch.
+HWY_INLINE std::uint32_t children_in(const WideNode& node, const ConeShaft& shaft) {
+  const Lanes d;
+  std::uint32_t hits = 0;
+  const float *from_lo = &shaft.from_lo.x, *from_hi = &shaft.from_hi.x, *center = &shaft.center.x;
+  const float *normal_lo = &shaft.normal_lo.x, *normal_hi = &shaft.normal_hi.x;
+  for (std::size_t first = 0; first < tree_width; first += hn::Lanes(d)) {
+    Floats near = hn::Zero(d), far = all(shaft.reach), height = all(shaft.lift);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Floats lo = hn::Load(d, node.lo[axis] + first);
+      const Floats hi = hn::Load(d, node.hi[axis] + first);
+      slab(hn::Sub(lo, all(from_hi[axis])), hn::Sub(hi, all(from_lo[axis])), shaft, axis, near,
+           far);
+      const Floats below = hn::Sub(lo, all(center[axis])), above = hn::Sub(hi, all(center[axis]));
+      const Floats a = all(normal_lo[axis]), b = all(normal_hi[axis]);
+      height = hn::Add(height, hn::Max(hn::Max(hn::Mul(a, below), hn::Mul(a, above)),
+                                       hn::Max(hn::Mul(b, below), hn::Mul(b, above))));
+    }
+    const Bools high = hn::Gt(height, all(shaft.epsilon));
+    hits |= bits_of(hn::And(overlap(near, far), high)) << first;
+  }
+  return hits;
 }
 
 /// Squared distance from the origin to segments in the plane at unit distance, ends given before

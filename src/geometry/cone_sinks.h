@@ -14,7 +14,11 @@ class LeastSink {
   static constexpr bool by_object = false;
 
   LeastSink(float outer, const SearchLimit& limit)
-      : limits_(limit), outer_(outer), best_(outer), limit_(outer) {}
+      : limits_(limit),
+        outer_(outer),
+        bins_per_clearance_(SearchLimit::size / outer),
+        best_(outer),
+        limit_(outer) {}
 
   float best() const { return best_; }
   float limit() const { return limit_; }
@@ -23,7 +27,7 @@ class LeastSink {
   bool offer(float clearance) {
     if (!(clearance < best_)) return false;
     best_ = clearance;
-    const auto bin = static_cast<std::size_t>(best_ / outer_ * SearchLimit::size);
+    const auto bin = static_cast<std::size_t>(best_ * bins_per_clearance_);
     limit_ = std::min(best_,
                       outer_ * limits_.fraction[std::min<std::size_t>(bin, SearchLimit::size - 1)]);
     return true;
@@ -31,7 +35,7 @@ class LeastSink {
 
  private:
   const SearchLimit& limits_;
-  float outer_, best_, limit_;
+  float outer_, bins_per_clearance_, best_, limit_;
 };
 
 /// Keeps the least clearance of every object; the cone stays as it is until the ray is blocked.

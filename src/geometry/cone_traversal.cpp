@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "geometry/cone_traversal.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target:
+#include "geometry/cone_group-inl.h"
 #include "geometry/cone_sinks.h"
 #include "geometry/cone_walk-inl.h"
 
@@ -11,6 +12,7 @@ namespace penumbra {
 
 HWY_EXPORT(walk_for_least);
 HWY_EXPORT(walk_for_objects);
+HWY_EXPORT(walk_for_group);
 
 float ConeTree::least_clearance(const ConeQuery& query, const SearchLimit& limit,
                                 ConeCounts& counts) const {
@@ -18,6 +20,19 @@ float ConeTree::least_clearance(const ConeQuery& query, const SearchLimit& limit
   if (data_->root.kind() != ChildKind::none)
     HWY_DYNAMIC_DISPATCH(walk_for_least)(*data_, query, sink, counts);
   return sink.best();
+}
+
+void ConeTree::least_clearances(std::span<const ConeQuery> queries, const SearchLimit& limit,
+                                std::span<float> clearances, ConeCounts& counts) const {
+  if (queries.empty()) return;
+  if (data_->root.kind() == ChildKind::none) {
+    for (std::size_t i = 0; i < queries.size(); ++i) clearances[i] = queries[i].outer;
+    return;
+  }
+  thread_local std::vector<Bounds> ends;
+  ends.clear();
+  for (const ConeQuery& query : queries) ends.push_back(cone_end(query));
+  HWY_DYNAMIC_DISPATCH(walk_for_group)(*data_, {queries, ends, clearances}, limit, counts);
 }
 
 void ConeTree::object_clearances(const ConeQuery& query, std::vector<ObjectClearance>& out,

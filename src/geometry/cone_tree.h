@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/alpha_mask.h"
@@ -68,6 +69,13 @@ class ConeTree {
   /// The least clearance below query.outer, 0 if the ray itself is blocked, query.outer if there is
   /// none. Checks nothing.
   float least_clearance(const ConeQuery& query, const SearchLimit& limit, ConeCounts& counts) const;
+
+  /// The same for many queries to one light, best in an order that keeps neighbours together:
+  /// what no cone of a group touches is looked at once for all of them. With a limit that is not
+  /// exact the answers may differ from those of single queries, within what the limit allows.
+  /// `clearances`: as many as queries.
+  void least_clearances(std::span<const ConeQuery> queries, const SearchLimit& limit,
+                        std::span<float> clearances, ConeCounts& counts) const;
 
   /// For every object that has one the least clearance below query.outer, exactly; stops early if
   /// the ray is blocked. `out` is cleared first.

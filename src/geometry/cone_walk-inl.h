@@ -6,7 +6,9 @@
 #define PENUMBRA_CONE_WALK_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
+#include <span>
 
 #include "geometry/cone_leaves-inl.h"
 #include "geometry/cone_sinks.h"
@@ -22,27 +24,44 @@ class Walk {
  public:
   Walk(const ConeTree::Data& data, const LocalQuery& query, Sink& sink, ConeCounts& counts,
        std::uint32_t placed_instance = 0xffffffffu)
-      : data_(data),
-        q_(query),
-        sink_(sink),
-        counts_(counts),
-        slabs_(query, sink.limit()),
-        placed_(placed_instance) {}
+      : data_(data), q_(query), sink_(sink), counts_(counts), placed_(placed_instance) {}
 
   void run(Child root, const ConeQuery& world) {
+    slabs_ = ConeSlabs(q_, sink_.limit());
     push(root, 0);
-    while (size_ > 0 && !sink_.done()) {
-      const Entry entry = stack_[--size_];
-      if (!(entry.least < sink_.limit())) continue;
-      if (visit({entry.child}, world)) slabs_ = ConeSlabs(q_, sink_.limit());
-    }
+    run(world);
   }
+
+  /// From where a group's walk got to: the children in `frontier`. `hint`: a leaf that is likely to
+  /// matter, or none.
+  void run(std::span<const WideNode> frontier, Child hint, const ConeQuery& world) {
+    if (hint.kind() != ChildKind::none && visit(hint, world)) found_ = hint;
+    if (sink_.done()) return;
+    slabs_ = ConeSlabs(q_, sink_.limit());
+    for (const WideNode& node : frontier) open(node);
+    std::sort(stack_, stack_ + size_,
+              [](const Entry& a, const Entry& b) { return a.least > b.least; });
+    run(world);
+  }
+
+  /// The leaf that gave the sink its best answer; none if nothing did.
+  Child found() const { return found_; }
 
  private:
   struct Entry {
     std::uint32_t child;  // bits of a Child, so that the stack costs nothing to make
     float least;
   };
+
+  void run(const ConeQuery& world) {
+    while (size_ > 0 && !sink_.done()) {
+      const Entry entry = stack_[--size_];
+      if (!(entry.least < sink_.limit())) continue;
+      if (!visit({entry.child}, world)) continue;
+      found_ = {entry.child};
+      slabs_ = ConeSlabs(q_, sink_.limit());
+    }
+  }
 
   void push(Child child, float least) { stack_[size_++] = {child.bits, least}; }
 
@@ -168,15 +187,21 @@ class Walk {
   ConeCounts& counts_;
   ConeSlabs slabs_;
   std::uint32_t placed_;
+  Child found_;
   Entry stack_[stack_size];
   int size_ = 0;
 };
 
-template <class Sink>
-void walk(const ConeTree::Data& data, const ConeQuery& query, Sink& sink, ConeCounts& counts) {
+HWY_INLINE LocalQuery local_query(const ConeTree::Data& data, const ConeQuery& query) {
   LocalQuery local(query, data.bounds);
   if (query.excluded_instance >= 0)
     std::tie(local.excluded_first, local.excluded_last) = data.range_of(query.excluded_instance);
+  return local;
+}
+
+template <class Sink>
+void walk(const ConeTree::Data& data, const ConeQuery& query, Sink& sink, ConeCounts& counts) {
+  const LocalQuery local = local_query(data, query);
   Walk<Sink>(data, local, sink, counts).run(data.root, query);
 }
 

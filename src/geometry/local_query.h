@@ -50,6 +50,7 @@ struct ConeSlabs {
   float inv_lo[3], inv_hi[3];
   bool lo_is_near[3], hi_is_far[3];
 
+  ConeSlabs() = default;
   ConeSlabs(const LocalQuery& q, float k) {
     for (int i = 0; i < 3; ++i) {
       const float v = q.ray.w[i], reach = k * q.sine[i];

@@ -17,17 +17,24 @@ struct Ratio {
   float value() const { return all > 0 ? seen / all : 0; }
 };
 
-LightArrival arrival_at(const Shadows& shadows, std::size_t light, const TilePoint& point,
-                        std::vector<LightPoint>& scratch, ShadowCounts& counts) {
-  LightArrival arrival;
-  if (shadows.sums_light_points()) {
-    const Visibility seen =
-        shadows.light_points(point.receiver, light, point.stream, scratch, counts);
-    return arrival_of(seen, scratch, point.shading);
+/// Methods that answer with a visible fraction: all points that ask, at once.
+void fractions(const Shadows& shadows, std::size_t light, std::span<const TilePoint> points,
+               std::span<const std::uint8_t> asked, std::span<LightArrival> arrivals,
+               ShadowCounts& counts) {
+  thread_local std::vector<Receiver> receivers;
+  thread_local std::vector<std::uint64_t> streams;
+  thread_local std::vector<Visibility> seen;
+  receivers.clear(), streams.clear();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (asked[i]) receivers.push_back(points[i].receiver), streams.push_back(points[i].stream);
+  seen.resize(receivers.size());
+  shadows.visibilities(receivers, light, streams, seen, counts);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!asked[i]) continue;
+    const Visibility& v = seen[next++];
+    arrivals[i] = {v.fraction, v.fraction, v};
   }
-  arrival.visibility = shadows.visibility(point.receiver, light, point.stream, counts);
-  arrival.diffuse = arrival.glossy = arrival.visibility.fraction;
-  return arrival;
 }
 
 }  // namespace
@@ -71,8 +78,14 @@ void tile_visibility(const Shadows& shadows, std::size_t light, std::span<const 
   if (shadows.adaptive() && shadows.lights().light(light).type != LightType::point)
     return adaptive_visibility(shadows, light, points, asked, tile_width, arrivals, scratch,
                                counts);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (asked[i]) arrivals[i] = arrival_at(shadows, light, points[i], scratch, counts);
+  if (!shadows.sums_light_points())
+    return fractions(shadows, light, points, asked, arrivals, counts);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!asked[i]) continue;
+    const TilePoint& p = points[i];
+    const Visibility seen = shadows.light_points(p.receiver, light, p.stream, scratch, counts);
+    arrivals[i] = arrival_of(seen, scratch, p.shading);
+  }
 }
 
 }  // namespace penumbra

@@ -55,7 +55,7 @@ float Shadows::hard(const Receiver& receiver, const LightView& view, ShadowCount
   return world_.embree().occluded(ray, view.own_instance) ? 0.0f : 1.0f;
 }
 
-float Shadows::parker(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const {
+ConeQuery Shadows::cone_query(const Receiver& receiver, const LightView& view) const {
   ConeQuery query;
   query.origin = receiver.position;
   query.direction = view.direction;
@@ -70,6 +70,11 @@ float Shadows::parker(const Receiver& receiver, const LightView& view, ShadowCou
     query.plane_distance = view.plane_distance;
     query.plane_epsilon = world_.epsilon_at(receiver.position + view.direction * view.distance);
   }
+  return query;
+}
+
+float Shadows::parker(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const {
+  const ConeQuery query = cone_query(receiver, view);
   ConeCounts cone;
   float fraction = 0;
   if (options_.composite == Composite::min) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/cone_tree.h"
@@ -87,6 +88,13 @@ class Shadows {
   Visibility visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                         ShadowCounts& counts) const;
 
+  /// The same for many receivers, best in an order that keeps neighbours together: they share
+  /// what they can, packets of rays or the walk of their cones, and parker's answers may differ
+  /// from those of visibility() by the tolerance. Three spans of one size.
+  void visibilities(std::span<const Receiver> receivers, std::size_t light,
+                    std::span<const std::uint64_t> streams, std::span<Visibility> out,
+                    ShadowCounts& counts) const;
+
   /// With an error limit: the search in two steps, for callers who know the neighbours; else null.
   const AdaptiveArea* adaptive() const { return adaptive_.get(); }
 
@@ -99,6 +107,11 @@ class Shadows {
   float hard(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
   float parker(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
   float composite(const ConeQuery& query, ConeCounts& counts) const;
+  ConeQuery cone_query(const Receiver& receiver, const LightView& view) const;
+  void hard_packets(std::span<const Receiver> receivers, std::size_t light,
+                    std::span<Visibility> out, ShadowCounts& counts) const;
+  void parker_group(std::span<const Receiver> receivers, std::size_t light,
+                    std::span<Visibility> out, ShadowCounts& counts) const;
 
   const World& world_;
   ShadowOptions options_;
