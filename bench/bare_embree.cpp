@@ -123,7 +123,7 @@ std::vector<RTCRay> area_rays(const Shadows& shadows, const std::vector<Receiver
   out.reserve(points.size() * static_cast<std::size_t>(count));
   const World& world = shadows.world();
   const float light_epsilon = world.epsilon_at(shadows.lights().light(0).position);
-  const LightSamples samples(count, shadows.options().seed);
+  const LightSamples samples(count, shadows.options().seed, LightSamples::Order::neighbours);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Receiver& p = points[i];
     const Vec3 origin = p.position + p.normal * world.epsilon_at(p.position);

@@ -69,9 +69,6 @@ void give_positions(RTCGeometry geometry, const std::vector<Vec3>& positions) {
 
 const RTCSceneFlags scene_flags = RTC_SCENE_FLAG_ROBUST | rtc::query_filter;
 
-// Embree's AVX2 kernels trace 8 rays at once natively.
-constexpr std::size_t packet_size = 8;
-
 }  // namespace
 
 EmbreeScene::EmbreeScene(const Scene& scene) : scene_(scene), masks_(scene) {
@@ -166,11 +163,39 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
   ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtc::intersect(top_, context, ray_hit);
   const RTCHit& hit = ray_hit.hit;
-  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const unsigned top = hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID;
+  return hit_of(ray_hit.ray.tfar, hit.u, hit.v, hit.primID, hit.geomID, hit.instID[0]);
+}
+
+void EmbreeScene::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+  rtc::Context context;
+  rtc::init(context);
+  RTCRayHit8 packet;
+  alignas(32) int valid[8];
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Ray& ray = rays[std::min(i, rays.size() - 1)];
+    valid[i] = i < rays.size() ? -1 : 0;
+    packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y;
+    packet.ray.org_z[i] = ray.origin.z, packet.ray.tnear[i] = 0;
+    packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y;
+    packet.ray.dir_z[i] = ray.direction.z, packet.ray.tfar[i] = ray.t_max;
+    packet.ray.time[i] = 0, packet.ray.mask[i] = 0xffffffffu;
+    packet.ray.id[i] = 0, packet.ray.flags[i] = 0;
+    packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtc::intersect(valid, top_, context, packet);
+  const RTCHit8& hit = packet.hit;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = hit_of(packet.ray.tfar[i], hit.u[i], hit.v[i], hit.primID[i], hit.geomID[i],
+                     hit.instID[0][i]);
+}
+
+std::optional<Hit> EmbreeScene::hit_of(float t, float u, float v, unsigned primitive,
+                                       unsigned geometry, unsigned instance) const {
+  if (geometry == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const unsigned top = instance != RTC_INVALID_GEOMETRY_ID ? instance : geometry;
   const auto spheres = static_cast<unsigned>(scene_.instances.size());
-  if (top == spheres) return Hit{ray_hit.ray.tfar, 0, 0, {spheres + hit.primID, 0}};
-  return Hit{ray_hit.ray.tfar, hit.u, hit.v, {top, hit.primID}};
+  if (top == spheres) return Hit{t, 0, 0, {spheres + primitive, 0}};
+  return Hit{t, u, v, {top, primitive}};
 }
 
 bool EmbreeScene::occluded(const ShadowRay& ray, int excluded) const {
@@ -181,26 +206,10 @@ bool EmbreeScene::occluded(const ShadowRay& ray, int excluded) const {
   return shadow.tfar < 0;
 }
 
-void EmbreeScene::occluded(std::span<const ShadowRay> rays, int excluded,
-                           std::uint8_t* blocked) const {
+void EmbreeScene::occluded(const int* valid, RTCRay8& rays, int excluded) const {
   ExcludingContext context{{}, static_cast<unsigned>(excluded)};
   rtc::init(context.context);
-  for (std::size_t first = 0; first < rays.size(); first += packet_size) {
-    const std::size_t count = std::min(packet_size, rays.size() - first);
-    RTCRay8 packet;
-    alignas(32) int valid[packet_size];
-    for (std::size_t i = 0; i < packet_size; ++i) {
-      const ShadowRay& ray = rays[first + std::min(i, count - 1)];
-      valid[i] = i < count ? -1 : 0;
-      packet.org_x[i] = ray.origin.x, packet.org_y[i] = ray.origin.y;
-      packet.org_z[i] = ray.origin.z, packet.tnear[i] = ray.t_min;
-      packet.dir_x[i] = ray.direction.x, packet.dir_y[i] = ray.direction.y;
-      packet.dir_z[i] = ray.direction.z, packet.tfar[i] = ray.t_max;
-      packet.time[i] = 0, packet.mask[i] = 0xffffffffu, packet.id[i] = 0, packet.flags[i] = 0;
-    }
-    rtc::occluded(valid, top_, context.context, excluded >= 0 ? pass_excluded : nullptr, packet);
-    for (std::size_t i = 0; i < count; ++i) blocked[first + i] = packet.tfar[i] < 0;
-  }
+  rtc::occluded(valid, top_, context.context, excluded >= 0 ? pass_excluded : nullptr, rays);
 }
 
 std::size_t EmbreeScene::memory_bytes() const {

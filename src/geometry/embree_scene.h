@@ -32,19 +32,24 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
   std::optional<Hit> intersect(const Ray& ray) const;
+  /// The same for up to eight rays at once: those of neighbouring pixels share their way.
+  void intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const;
 
   /// Whether anything but instance `excluded` (−1: nothing is excluded) blocks the ray.
   bool occluded(const ShadowRay& ray, int excluded = -1) const;
 
-  /// The same for many rays from one origin; blocked[i] is set to 1 or 0. Traced in packets, which
-  /// pays for rays to the points of one light.
-  void occluded(std::span<const ShadowRay> rays, int excluded, std::uint8_t* blocked) const;
+  /// The same for eight rays at once, those with valid[i] == -1, which pays for rays to the points
+  /// of one light. Where something blocks, tfar becomes negative; all else is left as it is, so
+  /// that a packet can be used again. `valid` is aligned to 32 bytes.
+  void occluded(const int* valid, RTCRay8& rays, int excluded = -1) const;
 
   /// Embree's own memory in bytes, as its device reports it.
   std::size_t memory_bytes() const;
   RTCScene handle() const { return top_; }
 
  private:
+  std::optional<Hit> hit_of(float t, float u, float v, unsigned primitive, unsigned geometry,
+                            unsigned instance) const;
   RTCGeometry make_triangles(const Instance& instance);
   void attach(std::uint32_t instance_index);
   void attach_spheres();

@@ -22,6 +22,14 @@ inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray_hit) {
   args.context = &context;
   rtcIntersect1(scene, &ray_hit, &args);
 }
+/// Rays that go much the same way.
+inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit8& ray_hits) {
+  RTCIntersectArguments args;
+  rtcInitIntersectArguments(&args);
+  args.context = &context;
+  args.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &ray_hits, &args);
+}
 
 /// `filter` may be null.
 inline RTCOccludedArguments occluded_arguments(Context& context, RTCFilterFunctionN filter,
@@ -59,6 +67,11 @@ inline void init(Context& context) { rtcInitIntersectContext(&context); }
 
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray_hit) {
   rtcIntersect1(scene, &context, &ray_hit);
+}
+/// Rays that go much the same way.
+inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit8& ray_hits) {
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &context, &ray_hits);
 }
 
 /// `filter` may be null.

@@ -103,8 +103,12 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
   s.shading_normal = s.normal;
   s.smooth_position = s.position;
   if (!mesh.normals.empty()) shade_smoothly(s, corners, weights);
-  for (int set = 0; set < 2; ++set) s.uv[set] = mix(corners, weights, set);
-  s.uv_per_metre = {uv_per_metre(corners, 0, area), uv_per_metre(corners, 1, area)};
+  float* per_metre[] = {&s.uv_per_metre.x, &s.uv_per_metre.y};
+  for (int set = 0; set < 2; ++set) {
+    if (mesh.uv[set].empty()) continue;
+    s.uv[set] = mix(corners, weights, set);
+    *per_metre[set] = uv_per_metre(corners, set, area);
+  }
   s.material = instance.material;
   s.object = instance.object;
   s.primitive = hit.primitive;

@@ -15,6 +15,10 @@ World::~World() = default;
 
 std::optional<Hit> World::intersect(const Ray& ray) const { return embree_->intersect(ray); }
 
+void World::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+  embree_->intersect(rays, hits);
+}
+
 float World::epsilon_at(const Vec3& p) const {
   // Eight roundings of 2^-24: a hit point is a sum of three products of coordinates about as large
   // as its own, seen through a normal that was rounded too. Near the origin of a small scene the

@@ -59,7 +59,7 @@ void adaptive_visibility(const Shadows& shadows, std::size_t light,
     if (!asked[i]) continue;
     const Visibility seen =
         area.finish(points[i].receiver, light, points[i].stream, first[i],
-                    verdicts.neighbour_disagrees(points[i].pixel), scratch, counts);
+                    verdicts.neighbour_disagrees(points[i].pixel), &scratch, counts);
     arrivals[i] = arrival_of(seen, scratch, points[i].shading);
   }
 }

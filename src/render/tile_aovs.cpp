@@ -65,6 +65,7 @@ void TileAovs::finish_pixel(std::uint32_t pixel) {
 }
 
 void TileAovs::finish() {
+  if (!wants_arrivals() && !options_.want_depth && !options_.want_normal) return;
   for (std::uint32_t pixel = 0; pixel < hits_.size(); ++pixel) finish_pixel(pixel);
 }
 

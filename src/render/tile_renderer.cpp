@@ -122,9 +122,18 @@ void trace(const World& world, const MaterialLookup& materials, std::span<const 
            std::vector<TilePoint>& points) {
   points.resize(rays.size());
   std::size_t count = 0;
-  for (const TileRay& ray : rays)
-    if (const auto hit = world.intersect(ray.beam.ray))
-      set_point(points[count++], ray, *hit, world.surface(ray.beam.ray, *hit), materials);
+  constexpr std::size_t packet_size = 8;
+  Ray packet[packet_size];
+  std::optional<Hit> hits[packet_size];
+  for (std::size_t first = 0; first < rays.size(); first += packet_size) {
+    const auto some = rays.subspan(first, std::min(packet_size, rays.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) packet[i] = some[i].beam.ray;
+    world.intersect({packet, some.size()}, hits);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      if (hits[i])
+        set_point(points[count++], some[i], *hits[i], world.surface(packet[i], *hits[i]),
+                  materials);
+  }
   points.resize(count);
 }
 

@@ -34,10 +34,10 @@ class AdaptiveArea {
 
   /// More points until the estimated standard error is below the limit. `neighbour_disagrees`: what
   /// is next to the receiver sees something else, so a unanimous first answer is not believed.
-  /// `points` (cleared first) is left with what was traced, each weighted by its cell; empty where
-  /// the fraction is 0 or 1 by the first answer alone.
+  /// `points`, which may be null, (cleared first) is left with what was traced, each weighted by
+  /// its cell; empty where the fraction is 0 or 1 by the first answer alone.
   Visibility finish(const Receiver& receiver, std::size_t light, std::uint64_t stream,
-                    const First& first, bool neighbour_disagrees, std::vector<LightPoint>& points,
+                    const First& first, bool neighbour_disagrees, std::vector<LightPoint>* points,
                     ShadowCounts& counts) const;
 
   /// Estimated standard error. Of the cells along an edge half are cut, and a cell cut in the ratio
@@ -47,14 +47,27 @@ class AdaptiveArea {
 
  private:
   class Search;
+
+  /// How a cell of the grid of the first g² points becomes four: the points that fall into the
+  /// quarters without one, and which quarter (x + 2 y) has one already.
+  struct Split {
+    std::uint16_t point[3];
+    std::uint8_t quarter[3];
+    std::uint8_t kept;
+  };
+  /// A table's points by cell.
+  struct Cells {
+    std::uint16_t first[16];                 ///< of the first grid, row by row
+    std::vector<std::vector<Split>> splits;  ///< by grid, coarsest first, then row by row
+  };
+  Cells cells_of(const SamplePattern& table) const;
+
   const World& world_;
   const LightViews& lights_;
   float error_;
   int finest_;  ///< grid, 64 at most: errors below about 0.001 are not reached
   LightSamples samples_;
-  /// Per table and grid, coarsest first: the point among the first g² in each cell.
-  std::vector<std::vector<std::uint16_t>> point_in_cell_;
-  int grids_ = 0;
+  std::vector<Cells> cells_;  ///< by table
 };
 
 }  // namespace penumbra

@@ -13,29 +13,63 @@ struct LightTarget {
   float weight = 0;  ///< see LightPoint::weight
 };
 
+/// Eight targets, coordinate by coordinate.
+struct alignas(32) LightPacket {
+  static constexpr int size = 8;
+  float x[size], y[size], z[size];  ///< unit directions
+  float t_max[size];
+  float weight[size];
+};
+
 /// Makes the targets of one light for one receiver. Sphere lights and suns by solid angle, disk,
 /// rect and mesh lights by area, segments by length. `epsilon`: metres in front of a flat light
-/// that are still on it. Cheap to construct; not thread-safe.
+/// that are still on it. Cheap to construct, but for a mesh light of which some faces are turned
+/// away, which looks at every face; not thread-safe.
 class LightPoints {
  public:
   LightPoints(const LightViews& lights, std::size_t light, const Vec3& point, float epsilon);
+
+  /// True if packets are made of points of the unit disk, false if of the unit square.
+  bool takes_disk() const { return takes_disk_; }
+  /// Targets of eight points of a pattern, given as its tables have them: neither turned nor
+  /// shifted.
+  void packet(const SamplePattern& pattern, const float* x, const float* y, LightPacket& out) const;
   /// Target `i` of a pattern.
   LightTarget target(const SamplePattern& pattern, int i) const;
 
- private:
-  LightTarget on_cone(Vec2 disk) const;
-  LightTarget on_surface(const Vec3& p, const Vec3& normal, float area, bool both_sides) const;
-  LightTarget on_mesh(Vec2 square) const;
+  /// Mesh light: the point of the unit square's x and y, from the receiver, and its face's normal.
+  struct OnFace {
+    Vec3 to, normal;
+  };
+  OnFace on_face(float x, float y) const;
 
-  const Light& light_;
-  const MeshLight& mesh_;
+  /// What packets are made from, as seen from the receiver.
+  struct Shape {
+    enum class Kind : std::uint8_t { cone, plane, faces, line, point };
+    Kind kind = Kind::point;
+    Vec3 center;             ///< plane, line, point: of the light
+    Vec3 u, v, w;            ///< cone: frame about its axis w; plane, line: across the light
+    Vec3 normal;             ///< plane
+    bool two_sided = false;  ///< faces
+    float epsilon = 0;
+    float one_minus_cosine = 0;             ///< cone: of the half-angle
+    float distance = INFINITY, radius = 0;  ///< cone: of the sphere, infinite for a sun; line
+    float area = 0;                         ///< plane, faces: that can be seen
+    float solid_angle = 0;                  ///< cone: weight of each point
+  };
+  const Shape& shape() const { return shape_; }
+
+ private:
+  void set_cone(const Light& light);
+  void set_faces(const MeshLight& mesh, bool double_sided);
+
   Vec3 point_;
-  float epsilon_;
-  Frame frame_;                 ///< sphere, sun: w to the centre; disk: w along the normal
-  float one_minus_cosine_ = 0;  ///< sphere, sun: of the half-angle
-  float distance_ = INFINITY;   ///< sphere: to the centre
-  float area_ = 0;              ///< rect, disk, mesh: that can be seen
-  bool all_faces_ = false;
+  Shape shape_;
+  bool takes_disk_ = false;
+  const MeshLight* mesh_ = nullptr;
+  /// Of a mesh some of whose faces are turned away: the others, and their areas summed up.
+  std::vector<std::uint32_t> turned_;
+  std::vector<float> turned_area_;
 };
 
 }  // namespace penumbra

@@ -46,34 +46,64 @@ Vec2 concentric(Vec2 square) {
   return {r * std::cos(phi), r * std::sin(phi)};
 }
 
-}  // namespace
-
-Vec2 SamplePattern::square_point(int i) const {
-  float x = square[i].x + shift.x, y = square[i].y + shift.y;
-  x -= x >= 1 ? 1.0f : 0.0f, y -= y >= 1 ? 1.0f : 0.0f;
-  return {x, y};
+// A place on the Morton curve: the bits of x and y by turns.
+std::uint64_t morton(const Vec2& p) {
+  const auto spread = [](float unit) {
+    std::uint64_t x = static_cast<std::uint64_t>(unit * 65536);
+    x = (x | x << 8) & 0x00ff00ffu;
+    x = (x | x << 4) & 0x0f0f0f0fu;
+    x = (x | x << 2) & 0x33333333u;
+    return (x | x << 1) & 0x55555555u;
+  };
+  return spread(p.x) | spread(p.y) << 1;
 }
 
-LightSamples::LightSamples(int count, std::uint32_t seed)
-    : count_(count), tables_(std::clamp(65536 / count, 1, 64)), seed_(seed) {
-  squares_.reserve(static_cast<std::size_t>(count_) * tables_);
+}  // namespace
+
+LightSamples::LightSamples(int count, std::uint32_t seed, Order order)
+    : count_(count),
+      tables_(std::clamp(65536 / count, 1, 64)),
+      seed_(seed),
+      stride_((static_cast<std::size_t>(count) + 7) / 8 * 8) {
+  for (auto* coordinate : {&square_x_, &square_y_, &disk_x_, &disk_y_})
+    coordinate->reserve(stride_ * static_cast<std::size_t>(tables_));
   for (int t = 0; t < tables_; ++t) {
     const std::uint64_t scramble = hash(seed_, static_cast<std::uint64_t>(t) + 1);
     const auto sx = static_cast<std::uint32_t>(scramble),
                sy = static_cast<std::uint32_t>(scramble >> 32);
+    std::vector<Vec2> squares;
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count_); ++i)
-      squares_.push_back({unit(nested_uniform_scramble(reverse_bits(i), sx)),
-                          unit(nested_uniform_scramble(sobol_y(i), sy))});
+      squares.push_back({unit(nested_uniform_scramble(reverse_bits(i), sx)),
+                         unit(nested_uniform_scramble(sobol_y(i), sy))});
+    add_table(std::move(squares), order);
   }
-  std::transform(squares_.begin(), squares_.end(), std::back_inserter(disks_), concentric);
+}
+
+void LightSamples::add_table(std::vector<Vec2> squares, Order order) {
+  if (order == Order::neighbours)
+    std::stable_sort(squares.begin(), squares.end(),
+                     [](const Vec2& a, const Vec2& b) { return morton(a) < morton(b); });
+  const std::size_t end = square_x_.size() + stride_;
+  for (const Vec2& square : squares) {
+    const Vec2 disk = concentric(square);
+    square_x_.push_back(square.x), square_y_.push_back(square.y);
+    disk_x_.push_back(disk.x), disk_y_.push_back(disk.y);
+  }
+  for (auto* coordinate : {&square_x_, &square_y_, &disk_x_, &disk_y_}) coordinate->resize(end);
+}
+
+SamplePattern LightSamples::table(int t) const {
+  const std::size_t first = stride_ * static_cast<std::size_t>(t);
+  SamplePattern p;
+  p.square_x = &square_x_[first], p.square_y = &square_y_[first];
+  p.disk_x = &disk_x_[first], p.disk_y = &disk_y_[first];
+  p.table = t;
+  return p;
 }
 
 SamplePattern LightSamples::unshifted_pattern(std::uint64_t stream) const {
   const std::uint64_t h = hash(seed_ ^ 0x5bd1e995u, stream);
-  SamplePattern p;
-  p.table = static_cast<int>((h & 0xffffu) % static_cast<std::uint64_t>(tables_));
-  p.square = table(p.table);
-  p.disk = &disks_[static_cast<std::size_t>(p.table) * count_];
+  SamplePattern p = table(static_cast<int>((h & 0xffffu) % static_cast<std::uint64_t>(tables_)));
   const float angle = 2 * std::numbers::pi_v<float> * unit(static_cast<std::uint32_t>(h >> 32));
   p.cosine = std::cos(angle), p.sine = std::sin(angle);
   return p;

@@ -58,6 +58,9 @@ MeshLight mesh_light_of(const Scene& scene, const Light& light) {
     face.area = len / 2;
     out.faces.push_back(face);
   }
+  double sum = 0;
+  for (const LightFace& f : out.faces)
+    out.areas.push_back(static_cast<float>(sum += double(f.area)));
   out.flat = is_flat(out.faces);
   out.closed = is_closed(mesh);
   return out;

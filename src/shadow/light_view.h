@@ -29,8 +29,9 @@ struct LightFace {
 /// The surface of a mesh light.
 struct MeshLight {
   std::vector<LightFace> faces;
-  bool flat = false;    ///< all faces in one plane, to floating-point error
-  bool closed = false;  ///< every edge has two faces: its far side is hidden by its near side
+  std::vector<float> areas;  ///< of the faces up to and with each
+  bool flat = false;         ///< all faces in one plane, to floating-point error
+  bool closed = false;       ///< every edge has two faces: its far side is hidden by its near side
 
   /// Which faces can light the point: those turned to it; of an open double-sided mesh all; where
   /// none is turned to it all (its visible fraction is defined everywhere, its light is zero).

@@ -22,7 +22,8 @@ Shadows::Shadows(const World& world, const ShadowOptions& options)
     : world_(world),
       options_(options),
       lights_(world.scene()),
-      samples_(std::max(options.light_samples > 0 ? options.light_samples : 64, 1), options.seed),
+      samples_(std::max(options.light_samples > 0 ? options.light_samples : 64, 1), options.seed,
+               LightSamples::Order::neighbours),
       limit_(search_limit(options.profile, options.tolerance)) {
   if (options.kind == ShadowKind::area && options.error)
     adaptive_ = std::make_unique<AdaptiveArea>(world, lights_, *options.error, options.seed);
@@ -33,10 +34,7 @@ Shadows::~Shadows() = default;
 Visibility Shadows::visibility(const Receiver& receiver, std::size_t light, std::uint64_t stream,
                                ShadowCounts& counts) const {
   if (options_.kind == ShadowKind::none) return {};
-  if (options_.kind == ShadowKind::area) {
-    thread_local std::vector<LightPoint> points;
-    return light_points(receiver, light, stream, points, counts);
-  }
+  if (options_.kind == ShadowKind::area) return sampled(receiver, light, stream, nullptr, counts);
   const auto view = lights_.view(light, receiver.position);
   if (!view || dot(view->direction, receiver.normal) <= 0) return {0, 0};
   const bool soft = options_.kind == ShadowKind::parker && view->diameter_over_distance > 0;

@@ -104,6 +104,9 @@ class Shadows {
                           std::vector<LightPoint>& points, ShadowCounts& counts) const;
 
  private:
+  /// light_points(), which may be null.
+  Visibility sampled(const Receiver& receiver, std::size_t light, std::uint64_t stream,
+                     std::vector<LightPoint>* points, ShadowCounts& counts) const;
   float hard(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
   float parker(const Receiver& receiver, const LightView& view, ShadowCounts& counts) const;
   float composite(const ConeQuery& query, ConeCounts& counts) const;
