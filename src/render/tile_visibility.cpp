@@ -12,7 +12,7 @@ struct Ratio {
 
   void add(float x, bool visible) {
     all += x;
-    if (visible) seen += x;
+    seen += visible ? x : 0.0f;
   }
   float value() const { return all > 0 ? seen / all : 0; }
 };
@@ -57,10 +57,9 @@ LightArrival arrival_from(std::span<const LightPoint> light_points, const Shadin
   const float share = 1 / static_cast<float>(std::max<std::size_t>(light_points.size(), 1));
   Ratio diffuse, lobe;
   for (const LightPoint& p : light_points) {
-    const float nl = dot(point.normal, p.direction);
-    if (!(nl > 0)) continue;
+    const float nl = std::max(dot(point.normal, p.direction), 0.0f);
     diffuse.add(p.weight * nl, p.visible);
-    if (!glossy) continue;
+    if (!glossy || !(nl > 0)) continue;
     const Glossy g = ggx(widened_alpha2(point.alpha, p.weight * share), nv, nl,
                          dot(point.to_viewer, p.direction));
     lobe.add(p.weight * (f0 * g.f0 + g.f90), p.visible);

@@ -73,10 +73,10 @@ AdaptiveArea::Cells AdaptiveArea::cells_of(const SamplePattern& table) const {
 class AdaptiveArea::Search {
  public:
   Search(const AdaptiveArea& area, const Receiver& receiver, std::size_t light,
-         std::uint64_t stream)
+         std::uint64_t stream, bool unoccluded)
       : area_(area),
         rays_(area.world_, area.lights_, receiver, light,
-              area.samples_.unshifted_pattern(hash(stream, light))),
+              area.samples_.unshifted_pattern(hash(stream, light)), unoccluded),
         cells_(area.cells_[static_cast<std::size_t>(rays_.pattern().table)]) {
     for (const std::uint16_t point : cells_.first) ask(point);
   }
@@ -187,8 +187,11 @@ class AdaptiveArea::Search {
 
 AdaptiveArea::First AdaptiveArea::first(const Receiver& receiver, std::size_t light,
                                         std::uint64_t stream, ShadowCounts& counts) const {
-  if (whole_light_is_seen(world_, lights_, receiver, light, counts)) return {};
-  First first{Verdict::mixed, Search(*this, receiver, light, stream).first(counts)};
+  const LightGuard guard = guard_light(world_, lights_, receiver, light, counts);
+  if (guard == LightGuard::seen) return {};
+  const bool unoccluded = guard == LightGuard::unoccluded;
+  First first{Verdict::mixed, Search(*this, receiver, light, stream, unoccluded).first(counts),
+              unoccluded};
   if (first.visible == 0) first.verdict = Verdict::all_blocked;
   if (first.visible == 0xffff) first.verdict = Verdict::all_visible;
   return first;
@@ -204,7 +207,7 @@ Visibility AdaptiveArea::finish(const Receiver& receiver, std::size_t light, std
     const float doubt = standard_error(0, 0, first_points * vouching);
     if (doubt <= error_) return {first.verdict == Verdict::all_visible ? 1.0f : 0.0f, doubt};
   }
-  Search search(*this, receiver, light, stream);
+  Search search(*this, receiver, light, stream, first.unoccluded);
   BitGrid grid = search.recall(first.visible, points != nullptr);
   BitGrid own = BitGrid::full(first_grid);
   float error = 0;

@@ -23,6 +23,7 @@ class AdaptiveArea {
   struct First {
     Verdict verdict = Verdict::lit;  ///< lit: proven by the cone
     std::uint16_t visible = 0xffff;  ///< a bit per cell of the first grid, row by row
+    bool unoccluded = false;         ///< only the horizon hides a part of the light: proven too
   };
 
   /// `error`: of the visible fraction, > 0.

@@ -58,15 +58,17 @@ Visibility Shadows::sampled(const Receiver& receiver, std::size_t light, std::ui
     return adaptive_->finish(receiver, light, stream, first, true, points, counts);
   }
   if (points) points->clear();
-  if (options_.skip_lit && samples_.count() >= worth_a_cone &&
-      whole_light_is_seen(world_, lights_, receiver, light, counts))
-    return {1, 0};
+  LightGuard guard = LightGuard::unknown;
+  if (options_.skip_lit && samples_.count() >= worth_a_cone)
+    guard = guard_light(world_, lights_, receiver, light, counts);
+  if (guard == LightGuard::seen) return {1, 0};
   thread_local Scratch scratch;
   const int count = one_point ? 1 : samples_.count();
   const auto packets = static_cast<std::size_t>(count + LightPacket::size - 1) / LightPacket::size;
   scratch.visible.resize(packets);
   if (points) scratch.targets.resize(packets), points->resize(static_cast<std::size_t>(count));
-  const LightRays rays(world_, lights_, receiver, light, samples_.pattern(hash(stream, light)));
+  const LightRays rays(world_, lights_, receiver, light, samples_.pattern(hash(stream, light)),
+                       guard == LightGuard::unoccluded);
   const int visible =
       rays.trace(rays.table_x(), rays.table_y(), count, points ? scratch.targets.data() : nullptr,
                  scratch.visible.data(), counts);

@@ -34,8 +34,13 @@ const SearchLimit& anything() {
 
 bool whole_light_is_seen(const World& world, const LightViews& lights, const Receiver& receiver,
                          std::size_t light, ShadowCounts& counts) {
+  return guard_light(world, lights, receiver, light, counts) == LightGuard::seen;
+}
+
+LightGuard guard_light(const World& world, const LightViews& lights, const Receiver& receiver,
+                       std::size_t light, ShadowCounts& counts) {
   const auto view = lights.view(light, receiver.position);
-  if (!view || !world.has_cone_tree()) return false;
+  if (!view || !world.has_cone_tree()) return LightGuard::unknown;
   ConeQuery query;
   query.origin = receiver.position, query.direction = view->direction;
   query.horizon = receiver.normal, query.epsilon = world.epsilon_at(receiver.position);
@@ -49,9 +54,10 @@ bool whole_light_is_seen(const World& world, const LightViews& lights, const Rec
     sine = reach / view->distance;
     query.distance = view->distance + reach;
   }
-  // The cone, a little wider than the light against rounding, must be above the horizon.
+  // A little wider than the light, against rounding.
   sine *= 1 + 0x1p-16f;
-  if (!(sine > 0) || sine > 0.9f || dot(view->direction, receiver.normal) <= sine) return false;
+  const float up = dot(view->direction, receiver.normal);
+  if (!(sine > 0) || sine > 0.9f || up <= -sine) return LightGuard::unknown;
   query.outer = sine / std::sqrt(1 - sine * sine);
   if (view->flat) {
     query.has_plane = true;
@@ -62,7 +68,8 @@ bool whole_light_is_seen(const World& world, const LightViews& lights, const Rec
   const float clearance = world.cone_tree().least_clearance(query, anything(), cone);
   ++counts.cones;
   counts.cone_nodes += cone.nodes, counts.cone_leaves += cone.leaves;
-  return clearance >= query.outer;
+  if (clearance < query.outer) return LightGuard::unknown;
+  return up > sine ? LightGuard::seen : LightGuard::unoccluded;
 }
 
 }  // namespace penumbra

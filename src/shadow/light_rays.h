@@ -8,8 +8,10 @@ namespace penumbra {
 
 class LightRays {
  public:
+  /// `unoccluded`: it is known that nothing above the horizon blocks any of them, so that none need
+  /// be traced.
   LightRays(const World& world, const LightViews& lights, const Receiver& receiver,
-            std::size_t light, const SamplePattern& pattern);
+            std::size_t light, const SamplePattern& pattern, bool unoccluded = false);
   LightRays(const LightRays&) = delete;
   LightRays& operator=(const LightRays&) = delete;
 
@@ -32,8 +34,8 @@ class LightRays {
   struct Setup {
     const LightPoints& points;
     const SamplePattern& pattern;
-    const EmbreeScene& scene;
-    Vec3 origin;  ///< of the rays
+    const EmbreeScene* scene;  ///< null: nothing blocks
+    Vec3 origin;               ///< of the rays
     Vec3 normal;
     int own_instance = -1;  ///< a mesh light's, which does not block
   };
