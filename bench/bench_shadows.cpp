@@ -1,12 +1,13 @@
 // Shadow queries against bare Embree on the same points and rays: ratios within one run.
 //   bench_shadows [--size N] [--repeats N] [--threads N] [--against SCENE] SCENE [FACTOR…]
 // Points: what the first camera sees, one a pixel, in 6 x 6 tiles of 32 x 32 pixels spread over a
-// picture of N x N (1024), asked a tile at a time as the renderer does. Each FACTOR of the first
-// light's radius is a row; 1 if none is given. --against compares parker's time per point with that
-// on another scene. Prints a header and rows, separated by tabs; M/s are million points a second.
-// "bare" is the Embree scene that the methods use, "flat" a faster one (bare_embree.h); a time is
-// compared with that of the fastest way to trace the same rays, "64_rays" is the fastest of flat.
-// bare_… lists single rays and packets of 8 and 16, in the methods' scene; in the flat one.
+// picture of N x N (1024), asked a tile at a time, in Morton's order as the renderer does. Each
+// FACTOR of the first light's radius is a row; 1 if none is given. --against compares parker's time
+// per point with that on another scene. Prints a header and rows, separated by tabs; M/s are
+// million points a second. "bare" is the Embree scene that the methods use, "flat" a faster one
+// (bare_embree.h); a time is compared with that of the fastest way to trace the same rays,
+// "64_rays" is the fastest of flat. bare_… lists single rays and packets of 8 and 16, in the
+// methods' scene; in the flat one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,10 +57,15 @@ struct Stage {
   }
 
   void add_tile(const CameraRays& camera, int left, int top) {
-    for (int i = 0; i < tile * tile; ++i) {
+    for (unsigned code = 0; code < tile * tile; ++code) {
+      unsigned x = 0, y = 0;
+      for (unsigned bit = 0; bit < 5; ++bit) {
+        x |= (code >> (2 * bit) & 1) << bit;
+        y |= (code >> (2 * bit + 1) & 1) << bit;
+      }
       const Ray ray = camera
-                          .at(static_cast<float>(left + i % tile) + 0.5f,
-                              static_cast<float>(top + i / tile) + 0.5f)
+                          .at(static_cast<float>(left) + static_cast<float>(x) + 0.5f,
+                              static_cast<float>(top) + static_cast<float>(y) + 0.5f)
                           .ray;
       if (const auto hit = world->intersect(ray))
         points.push_back(receiver_of(world->surface(ray, *hit)));

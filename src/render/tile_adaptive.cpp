@@ -1,5 +1,7 @@
 #include "render/tile_adaptive.h"
 
+#include <algorithm>
+
 #include "shadow/adaptive_area.h"
 
 namespace penumbra {
@@ -49,7 +51,9 @@ void adaptive_visibility(const Shadows& shadows, std::size_t light,
   const AdaptiveArea& area = *shadows.adaptive();
   thread_local std::vector<First> first;
   first.resize(points.size());
-  VerdictMap verdicts(tile_width, points.back().pixel);
+  std::uint32_t last_pixel = 0;
+  for (const TilePoint& p : points) last_pixel = std::max(last_pixel, p.pixel);
+  VerdictMap verdicts(tile_width, last_pixel);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!asked[i]) continue;
     first[i] = area.first(points[i].receiver, light, points[i].stream, counts);

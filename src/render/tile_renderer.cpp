@@ -9,27 +9,34 @@ namespace {
 
 constexpr float least_throughput = 1.0f / 500;
 
-/// Sample `sample` of every pixel of the tile. Pixels are numbered over the whole picture, so that
-/// tiles leave no trace.
+/// Every other bit of a Morton code, from bit 0.
+constexpr int half_of_code(unsigned code) {
+  int out = 0;
+  for (int bit = 0; bit < 5; ++bit) out |= static_cast<int>(code >> (2 * bit) & 1u) << bit;
+  return out;
+}
+static_assert(Tile::size == 32 && half_of_code(0x3ff) == 31);
+
+/// Sample `sample` of every pixel of the tile, in Morton's order so that neighbours stay together.
+/// Pixels are numbered over the whole picture, so that tiles leave no trace.
 void primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
                   std::vector<TileRay>& rays) {
   const RenderOptions& o = setup.options;
   const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
   const Vec2 at = pixel_sample(sample, o.spp);
-  rays.resize(static_cast<std::size_t>(tile.pixel_count()));
-  std::uint32_t pixel = 0;
-  for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x, ++pixel) {
-      const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
-                          static_cast<std::uint64_t>(x);
-      TileRay& ray = rays[pixel];
-      ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
-      ray.beam.width *= beam_share;
-      ray.beam.spread *= beam_share;
-      ray.throughput = Vec3(1.0f);
-      ray.pixel = pixel;
-      ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
-    }
+  rays.clear();
+  for (unsigned code = 0; code < Tile::size * Tile::size; ++code) {
+    const int x = tile.x0 + half_of_code(code), y = tile.y0 + half_of_code(code >> 1);
+    if (x >= tile.x1 || y >= tile.y1) continue;
+    const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
+                        static_cast<std::uint64_t>(x);
+    TileRay& ray = rays.emplace_back();
+    ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
+    ray.beam.width *= beam_share;
+    ray.beam.spread *= beam_share;
+    ray.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
+    ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
+  }
 }
 
 void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surface& surface,

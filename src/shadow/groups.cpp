@@ -3,6 +3,7 @@
 #include <array>
 
 #include "geometry/embree_scene.h"
+#include "shadow/centre_rays.h"
 #include "shadow/profile.h"
 #include "shadow/shadows.h"
 
@@ -51,8 +52,30 @@ void Shadows::parker_group(std::span<const Receiver> receivers, std::size_t ligh
 
 void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t light,
                            std::span<Visibility> out, ShadowCounts& counts) const {
-  for (std::size_t i = 0; i < receivers.size(); ++i)
-    out[i] = visibility(receivers[i], light, 0, counts);
+  const Light& source = lights_.light(light);
+  if (source.type == LightType::mesh) {
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+      out[i] = visibility(receivers[i], light, 0, counts);
+    return;
+  }
+  CentreLight centre;
+  centre.endless = source.type == LightType::sun;
+  centre.at = centre.endless ? -source.direction : source.position;
+  centre.flat = source.type == LightType::disk || source.type == LightType::rect;
+  centre.normal = source.normal;
+  centre.epsilon = world_.epsilon_at(source.position);
+  centre.least_epsilon = world_.epsilon_at({});
+  for (std::size_t first = 0; first < receivers.size(); first += 8) {
+    const std::size_t count = std::min<std::size_t>(8, receivers.size() - first);
+    RTCRay8 rays;
+    alignas(32) std::array<int, 8> valid;
+    make_centre_rays(receivers.subspan(first, count), centre, rays, valid.data());
+    world_.embree().occluded(valid.data(), rays);
+    for (std::size_t i = 0; i < count; ++i) {
+      counts.rays += valid[i] != 0;
+      out[first + i] = {valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0f : 0.0f, 0};
+    }
+  }
 }
 
 }  // namespace penumbra
