@@ -90,6 +90,36 @@ TEST_P(Adaptive, ConeNeverCallsAShadowedPointLit) {
   EXPECT_GT(lit, 10);
 }
 
+TEST_P(Adaptive, GuardSparesRaysAndChangesNoAnswer) {
+  const Oracle oracle(GetParam());
+  const World world(oracle.scene);
+  ShadowOptions options;
+  options.kind = ShadowKind::area;
+  const Shadows guarded(world, options);
+  options.skip_lit = false;
+  const Shadows traced(world, options);
+  const Vec3 eye = oracle.scene.cameras.front().position, low = world.bounds().lo;
+  const Vec3 size = world.bounds().size();
+  int at_the_horizon = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const auto part = [&](int k) {
+      return static_cast<float>(hash(i, 1) >> (20 * k) & 0xfffff) * 0x1p-20f;
+    };
+    const Vec3 inside = low + size * Vec3{part(0), part(1), part(2)};
+    const Ray ray{eye, normalize(inside - eye)};
+    const auto hit = world.intersect(ray);
+    if (!hit) continue;
+    const Receiver receiver = receiver_of(world.surface(ray, *hit));
+    for (std::size_t light = 0; light < oracle.scene.lights.size(); ++light) {
+      ShadowCounts with, without;
+      const float fraction = guarded.visibility(receiver, light, i, with).fraction;
+      ASSERT_EQ(fraction, traced.visibility(receiver, light, i, without).fraction) << i;
+      at_the_horizon += fraction > 0 && fraction < 1 && with.rays == 0;
+    }
+  }
+  EXPECT_GT(at_the_horizon, 10);
+}
+
 TEST_P(Adaptive, SameStreamSameAnswer) {
   const Oracle oracle(GetParam());
   const World world(oracle.scene);
