@@ -105,6 +105,15 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{{"--light", "sphere:0,1,0,-1,5"},
                "--light sphere:0,1,0,-1,5: the radius is not positive; write "
                "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1e10,0,1,5"},
+               "--light sphere:0,1e10,0,1,5: '1e10' is beyond 1e+09; write "
+               "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1,0,1,1e13"},
+               "--light sphere:0,1,0,1,1e13: '1e13' is beyond 1e+12; write "
+               "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1,0,1e-13,5"},
+               "--light sphere:0,1,0,1e-13,5: the radius is below 1e-12; write "
+               "sphere:px,py,pz,radius,radiance"},
         Misuse{{"--light", "sphere:0,1,0,1"},
                "--light sphere:0,1,0,1: 4 numbers instead of 5 or 7; write "
                "sphere:px,py,pz,radius,radiance"},
