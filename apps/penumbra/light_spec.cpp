@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -143,9 +144,10 @@ std::vector<std::string> scale_lights(Scene& scene, float factor) {
     light.radius *= factor;
     // A light of half the sky is as wide as a disk can look.
     light.angular_diameter = std::min(light.angular_diameter * factor, 179 * kRadians);
-    if (light.type != LightType::rect) continue;
-    light.edge_u *= factor;
-    light.edge_v *= factor;
+    if (light.type == LightType::rect) light.edge_u *= factor, light.edge_v *= factor;
+    if (std::max({light.radius, length(light.edge_u), length(light.edge_v)}) > kFarthest)
+      throw InputError(fmt::format("--light-size: light {} becomes larger than {:g}", i, kFarthest),
+                       "give a smaller factor");
   }
   return warnings;
 }

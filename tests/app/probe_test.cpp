@@ -109,6 +109,8 @@ TEST_F(ProbeTest, MistakesInRows) {
                     ":2:11: 'inf' is not a finite number; write it like 0.25 or 1e-3");
   expect_refused_at(header + "0,0,1e99,0,1,0,0\n",
                     ":2:5: '1e99' is not a finite number; write it like 0.25 or 1e-3");
+  expect_refused_at(header + "0,-1e10,0,0,1,0,0\n",
+                    ":2:3: -1e10 is beyond 1e+09; give points as near to the origin as scenes are");
   expect_refused_at(header + "0,0,0,0,0,0,0\n",
                     ":2:7: the normal is zero; give the direction that the surface faces");
   expect_refused_at(header + "0,0,0,0,1,0,-1\n",
