@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,9 @@ namespace penumbra::app {
 namespace {
 
 constexpr float kRadians = std::numbers::pi_v<float> / 180;
+// As in scene files: squares of lengths and sums of light stay within floats.
+constexpr double kFarthest = 1e9, kBrightest = 1e12;
+constexpr float kSmallest = 1e-12f;
 
 struct Form {
   LightType type;
@@ -52,6 +56,7 @@ struct Spec {
   }
   float radius(std::size_t at) const {
     if (!(numbers[at] > 0)) refuse("the radius is not positive");
+    if (numbers[at] < kSmallest) refuse(fmt::format("the radius is below {:g}", kSmallest));
     return numbers[at];
   }
   Vec3 emission() const {
@@ -68,8 +73,9 @@ Spec read_spec(const std::string& text) {
   if (colon == text.npos) spec.refuse("there are no numbers");
   for (const std::string& part : split(text.substr(colon + 1), ',')) {
     double value = 0;
-    if (!read_number(part, value) || std::abs(value) > 1e30)
-      spec.refuse(fmt::format("'{}' is not a number", part));
+    if (!read_number(part, value)) spec.refuse(fmt::format("'{}' is not a number", part));
+    const double most = spec.numbers.size() < spec.form.count ? kFarthest : kBrightest;
+    if (std::abs(value) > most) spec.refuse(fmt::format("'{}' is beyond {:g}", part, most));
     spec.numbers.push_back(static_cast<float>(value));
   }
   const std::size_t found = spec.numbers.size(), needed = spec.form.count;
@@ -138,9 +144,10 @@ std::vector<std::string> scale_lights(Scene& scene, float factor) {
     light.radius *= factor;
     // A light of half the sky is as wide as a disk can look.
     light.angular_diameter = std::min(light.angular_diameter * factor, 179 * kRadians);
-    if (light.type != LightType::rect) continue;
-    light.edge_u *= factor;
-    light.edge_v *= factor;
+    if (light.type == LightType::rect) light.edge_u *= factor, light.edge_v *= factor;
+    if (std::max({light.radius, length(light.edge_u), length(light.edge_v)}) > kFarthest)
+      throw InputError(fmt::format("--light-size: light {} becomes larger than {:g}", i, kFarthest),
+                       "give a smaller factor");
   }
   return warnings;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "base/atomic_file.h"
@@ -78,10 +79,13 @@ void check_outputs(const Arguments& a) {
       !has_extension(a.output, ".exr"))
     throw InputError({a.output}, "this is no picture format that can be written",
                      "let it end in .png or .exr");
-  std::set<std::string> names;
+  std::set<std::filesystem::path> names;
+  std::error_code ignored;
   for (const std::string& file : output_files(a)) {
-    if (!names.insert(file).second)
+    if (!names.insert(std::filesystem::weakly_canonical(file, ignored)).second)
       throw InputError({file}, "two outputs have this name", "give each its own");
+    if (std::filesystem::equivalent(file, a.scene, ignored))
+      throw InputError({file}, "this is the scene itself", "name another file for the output");
     const AtomicFile can_be_written(file);
   }
 }

@@ -15,13 +15,20 @@
 namespace penumbra::app {
 namespace {
 
-bool is_idle(const std::string& option, const Arguments& a) {
-  if (a.command == Command::probe && is_picture_option(option)) return true;
-  const ShadowKind kind = a.render.shadows.kind;
-  if (option == "--light-samples" || option == "--error") return kind != ShadowKind::area;
-  if (option == "--profile" || option == "--composite" || option == "--tolerance")
-    return kind != ShadowKind::parker;
-  return false;
+// With what an option does nothing in this call; empty if it does something.
+std::string_view idle_with(const std::string& option, const Arguments& a) {
+  constexpr std::string_view method = "with this method";
+  if (a.command == Command::probe && is_picture_option(option)) return "on probe";
+  const ShadowOptions& shadows = a.render.shadows;
+  const bool of_area = option == "--light-samples" || option == "--error";
+  const bool of_parker =
+      option == "--profile" || option == "--composite" || option == "--tolerance";
+  if (of_area && shadows.kind != ShadowKind::area) return method;
+  if (of_parker && shadows.kind != ShadowKind::parker) return method;
+  if (option == "--light-samples" && shadows.error) return "beside --error";
+  if (option == "--tolerance" && shadows.composite != Composite::min)
+    return "with this --composite";
+  return {};
 }
 
 // A scene without lights is wanted as it is if its own were dropped on purpose: a stand-in keeps
@@ -52,9 +59,8 @@ std::string camera_remedy(const Scene& scene, const std::string& name) {
 
 void warn_of_idle_options(const Arguments& arguments, Console& console) {
   for (const std::string& option : arguments.given)
-    if (is_idle(option, arguments))
-      console.warn(fmt::format("{} has no effect {}", option,
-                               is_picture_option(option) ? "on probe" : "with this method"));
+    if (const auto with = idle_with(option, arguments); !with.empty())
+      console.warn(fmt::format("{} has no effect {}", option, with));
 }
 
 Scene prepare_scene(const Arguments& arguments, Console& console) {

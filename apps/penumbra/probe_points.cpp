@@ -13,6 +13,7 @@ namespace penumbra::app {
 namespace {
 
 constexpr std::array<std::string_view, 6> kColumns{"x", "y", "z", "nx", "ny", "nz"};
+constexpr double kFarthest = 1e9;  // no scene reaches further
 constexpr std::string_view kFraction = "visible_fraction";
 
 std::string_view without_blanks(std::string_view name) {
@@ -60,6 +61,10 @@ float number(const CsvField& field, const std::string& file) {
     throw InputError({file, field.line, field.column},
                      fmt::format("'{}' is not a finite number", field.value),
                      "write it like 0.25 or 1e-3");
+  if (std::abs(value) > kFarthest)
+    throw InputError({file, field.line, field.column},
+                     fmt::format("{} is beyond {:g}", field.value, kFarthest),
+                     "give points as near to the origin as scenes are");
   return static_cast<float>(value);
 }
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/error.h"
 #include "commands.h"
 #include "memory.h"
 #include "outputs.h"
@@ -14,6 +17,14 @@ void want_layers(Arguments& arguments) {
   if (!has_extension(arguments.output, ".exr")) return;
   options.want_visibility = options.want_depth = options.want_normal = true;
   if (options.shadows.kind == ShadowKind::area && options.shadows.error) options.want_error = true;
+}
+
+void check_visibility_has_lights(const Arguments& arguments, const Scene& scene) {
+  const bool wanted = std::any_of(arguments.aovs.begin(), arguments.aovs.end(),
+                                  [](const AovRequest& aov) { return aov.name == "visibility"; });
+  if (wanted && scene.lights.empty())
+    throw InputError("--aov visibility: the scene has no light to be seen",
+                     "add one with --light or leave it out");
 }
 
 // Seconds that the commands measure themselves.
@@ -51,6 +62,7 @@ void run_render(Arguments& arguments, Console& console) {
   phases.load = load.seconds();
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
+  check_visibility_has_lights(arguments, scene);
   const Stopwatch build;
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
   phases.build = build.seconds();

@@ -38,25 +38,32 @@ void transform_row(const std::vector<float>& f, std::vector<float>& out, std::si
   }
 }
 
+// The texels along one line of the texture, `step` apart, transformed in place. A repeated line has
+// neighbours on both sides; a clamped or mirrored one none that are nearer than its own texels.
+void transform_line(float* line, std::size_t n, std::size_t step, Wrap wrap) {
+  const std::size_t copies = wrap == Wrap::repeat ? 3 : 1, skipped = copies / 2 * n;
+  thread_local std::vector<float> f, out;
+  f.resize(copies * n), out.resize(copies * n);
+  for (std::size_t i = 0; i < f.size(); ++i) f[i] = line[i % n * step];
+  transform_row(f, out, f.size());
+  for (std::size_t i = 0; i < n; ++i) line[i * step] = out[skipped + i];
+}
+
 // Squared distances of every texel to the nearest with inside[texel] true.
-std::vector<float> squared_distances(const std::vector<bool>& inside, int width, int height) {
+std::vector<float> squared_distances(const std::vector<bool>& inside, int width, int height,
+                                     Wrap wrap_s, Wrap wrap_t) {
   const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
-  std::vector<float> field(w * h), f(std::max(w, h)), out(std::max(w, h));
+  std::vector<float> field(w * h);
   for (std::size_t i = 0; i < field.size(); ++i) field[i] = inside[i] ? 0 : far_away;
-  for (std::size_t x = 0; x < w; ++x) {
-    for (std::size_t y = 0; y < h; ++y) f[y] = field[y * w + x];
-    transform_row(f, out, h);
-    for (std::size_t y = 0; y < h; ++y) field[y * w + x] = out[y];
-  }
-  for (std::size_t y = 0; y < h; ++y) {
-    std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(y * w), w, f.begin());
-    transform_row(f, out, w);
-    std::copy_n(out.begin(), w, field.begin() + static_cast<std::ptrdiff_t>(y * w));
-  }
+  for (std::size_t x = 0; x < w; ++x) transform_line(&field[x], h, w, wrap_t);
+  for (std::size_t y = 0; y < h; ++y) transform_line(&field[y * w], w, 1, wrap_s);
   return field;
 }
 
-int wrap_index(int i, int n) { return ((i % n) + n) % n; }
+// Texel i, at most one outside; beyond a clamped or mirrored border lies the border's own texel.
+int wrap_index(int i, int n, Wrap wrap) {
+  return wrap == Wrap::repeat ? (i + n) % n : std::clamp(i, 0, n - 1);
+}
 
 float wrap_coordinate(float x, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(x, 0.0f, 1.0f);
@@ -67,16 +74,16 @@ float wrap_coordinate(float x, Wrap wrap) {
 
 }  // namespace
 
-AlphaMask::AlphaMask(const TextureImage& image, float alpha, float cutoff)
-    : width_(image.width), height_(image.height) {
+AlphaMask::AlphaMask(const TextureImage& image, float alpha, float cutoff, Wrap wrap_s, Wrap wrap_t)
+    : width_(image.width), height_(image.height), wrap_s_(wrap_s), wrap_t_(wrap_t) {
   const std::size_t n = static_cast<std::size_t>(width_) * height_;
   std::vector<bool> opaque(n), hole(n);
   for (std::size_t i = 0; i < n; ++i) {
     opaque[i] = static_cast<float>(image.rgba[4 * i + 3]) / 255 * alpha >= cutoff;
     hole[i] = !opaque[i];
   }
-  const std::vector<float> outside = squared_distances(opaque, width_, height_);
-  const std::vector<float> within = squared_distances(hole, width_, height_);
+  const std::vector<float> outside = squared_distances(opaque, width_, height_, wrap_s, wrap_t);
+  const std::vector<float> within = squared_distances(hole, width_, height_, wrap_s, wrap_t);
   distance_.resize(n);
   // The edge runs half a texel from the centres on both of its sides.
   for (std::size_t i = 0; i < n; ++i)
@@ -88,8 +95,8 @@ float AlphaMask::distance(float s, float t) const {
   if (!std::isfinite(x) || !std::isfinite(y)) return -1;
   const float fx = std::floor(x), fy = std::floor(y);
   const auto at = [&](int i, int j) {
-    return distance_[static_cast<std::size_t>(wrap_index(j, height_)) * width_ +
-                     wrap_index(i, width_)];
+    return distance_[static_cast<std::size_t>(wrap_index(j, height_, wrap_t_)) * width_ +
+                     wrap_index(i, width_, wrap_s_)];
   };
   const int i = static_cast<int>(fx), j = static_cast<int>(fy);
   const float u = x - fx, v = y - fy;
@@ -98,7 +105,6 @@ float AlphaMask::distance(float s, float t) const {
 }
 
 float MaskedMesh::distance(std::uint32_t triangle, float b1, float b2, float scale) const {
-  if (hole) return INFINITY;
   const TextureSlot& slot = material->diffuse_map;
   const std::vector<Vec2>& uv = mesh->uv[slot.uv_set];
   if (!mask || uv.empty()) return -1;
@@ -126,7 +132,9 @@ AlphaMasks::AlphaMasks(const Scene& scene) : masks_(scene.materials.size()) {
     const Material& material = scene.materials[i];
     if (!material.alpha_cutoff || !material.diffuse_map.used()) continue;
     const auto& image = scene.textures[static_cast<std::size_t>(material.diffuse_map.image)];
-    masks_[i] = std::make_unique<AlphaMask>(image, material.alpha, *material.alpha_cutoff);
+    masks_[i] =
+        std::make_unique<AlphaMask>(image, material.alpha, *material.alpha_cutoff,
+                                    material.diffuse_map.wrap_s, material.diffuse_map.wrap_t);
   }
 }
 

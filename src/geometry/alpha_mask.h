@@ -13,7 +13,8 @@ class AlphaMask {
  public:
   /// Texels with alpha · `alpha` < cutoff are holes. Exact distances between texel centres by
   /// Felzenszwalb and Huttenlocher (2012), Distance Transforms of Sampled Functions, section 2.
-  AlphaMask(const TextureImage& image, float alpha, float cutoff);
+  /// `wrap_s`, `wrap_t`: where the texture repeats, so does the field.
+  AlphaMask(const TextureImage& image, float alpha, float cutoff, Wrap wrap_s, Wrap wrap_t);
 
   /// Signed distance from (s, t), in texels, to the edge of the opaque part; negative inside it.
   /// Interpolated bilinearly, so that the edge is continuous. (s, t) after slot transform and wrap.
@@ -23,6 +24,7 @@ class AlphaMask {
 
  private:
   int width_, height_;
+  Wrap wrap_s_, wrap_t_;
   std::vector<float> distance_;
 };
 
@@ -30,8 +32,7 @@ class AlphaMask {
 struct MaskedMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  const AlphaMask* mask = nullptr;  ///< null: the whole surface is opaque or, if `hole`, absent
-  bool hole = false;
+  const AlphaMask* mask = nullptr;  ///< null: the whole surface is opaque
 
   /// Metres on the surface from the point with barycentric weights (b1, b2) of `triangle` to the
   /// nearest opaque point; zero or negative where it is opaque itself. `scale`: world metres per

@@ -196,6 +196,29 @@ HWY_INLINE bool leaf_in(const TriangleLeaf& leaf, const ConeShaft& shaft,
   return false;
 }
 
+/// Tangents of the angles between the ray and the nearest tangents from the origin to whole
+/// spheres, of those that reach over the horizon and before the light: sin and cos of the
+/// difference between the angle to the centre and the sphere's half angle, times its distance
+/// squared.
+HWY_INLINE Floats tangent_clearance(const Point& c, Floats r, const LocalQuery& q) {
+  const Floats zero = hn::Zero(Lanes());
+  const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
+  const Floats away2 = hn::MulAdd(x, x, hn::Mul(y, y)), away = hn::Sqrt(away2);
+  const Floats tangent2 = hn::Sub(hn::MulAdd(z, z, away2), hn::Mul(r, r));
+  const Floats tangent = hn::Sqrt(hn::Max(tangent2, zero));
+  const Floats sine = hn::MulSub(away, tangent, hn::Mul(z, r));
+  const Floats cosine = hn::MulAdd(z, tangent, hn::Mul(away, r));
+  Floats least = hn::IfThenElse(hn::Gt(cosine, zero), hn::Div(sine, cosine), all(infinite));
+  least = hn::IfThenElse(hn::And(hn::Gt(sine, zero), hn::Gt(tangent2, zero)), least, zero);
+  Bools counts = hn::And(hn::Gt(hn::Add(dot(q.horizon, c), r), all(q.epsilon)),
+                         hn::Lt(hn::Sub(z, r), all(q.t_max)));
+  if (q.has_plane) {
+    const Floats before = hn::Add(dot(q.plane_normal, c), all(q.plane_distance - q.plane_epsilon));
+    counts = hn::And(counts, hn::Gt(hn::Add(before, r), zero));
+  }
+  return hn::IfThenElse(counts, least, all(infinite));
+}
+
 HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float limit,
                              LeafClearance& out) {
   const Lanes d;
@@ -205,6 +228,10 @@ HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float 
                   hn::Sub(hn::Load(d, leaf.center[1] + first), all(q.origin.y)),
                   hn::Sub(hn::Load(d, leaf.center[2] + first), all(q.origin.z))};
     const Floats r = hn::Load(d, leaf.radius + first);
+    if (q.lower_bound) {
+      hn::Store(tangent_clearance(c, r, q), d, out.lane + first);
+      continue;
+    }
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
     const Floats away2 = hn::MulAdd(x, x, hn::Mul(y, y)), away = hn::Sqrt(away2);
     const Floats height = hn::Sub(dot(q.horizon, c), all(q.epsilon));

@@ -77,7 +77,7 @@ float cut_out_clearance(const ConeTree::Data& data, const CutOut& cut, const Loc
   const float clearance =
       parker::triangle_clearance(shadow_ray(q), plain(cut.position[0]), plain(cut.position[1]),
                                  plain(cut.position[2]), above(q), before(q));
-  if (!(clearance < INFINITY)) return clearance;
+  if (!(clearance < INFINITY) || q.lower_bound) return clearance;
   Vec3 p[3];
   for (int i = 0; i < 3; ++i) {
     const Vec3 r = cut.position[i] - q.origin;

@@ -77,7 +77,7 @@ class Walk {
       case ChildKind::placement:
         return enter(data_.placements[child.index()], world);
       case ChildKind::cut_out:
-        return look(data_.cut_outs[child.index()]);
+        return look(data_.cut_outs[child.index()], world);
       case ChildKind::none:
         break;
     }
@@ -126,7 +126,8 @@ class Walk {
     }
   }
 
-  bool look(const CutOut& cut) {
+  bool look(const CutOut& cut, const ConeQuery& world) {
+    if (is_excluded(cut.instance, world)) return false;
     ++counts_.leaves;
     const float clearance = cut_out_clearance(data_, cut, q_);
     if constexpr (Sink::by_object)
@@ -135,7 +136,13 @@ class Walk {
       return sink_.offer(clearance);
   }
 
+  static bool is_excluded(std::uint32_t instance, const ConeQuery& world) {
+    return world.excluded_instance >= 0 &&
+           instance == static_cast<std::uint32_t>(world.excluded_instance);
+  }
+
   bool enter(const Placement& placed, const ConeQuery& world) {
+    if (is_excluded(placed.instance, world)) return false;
     ConeQuery inner = world;
     const Affine& m = placed.mesh_from_world;
     const float scale = placed.mesh_scale;

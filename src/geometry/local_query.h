@@ -21,6 +21,7 @@ struct LocalQuery {
   bool has_plane = false;
   Vec3 plane_normal;
   float plane_distance = 0, plane_epsilon = 0;
+  bool lower_bound = false;
   std::uint32_t excluded_first = 0, excluded_last = 0;
 
   /// `bounds`: of everything in the tree.
@@ -34,7 +35,8 @@ struct LocalQuery {
         has_plane(q.has_plane),
         plane_normal(q.plane_normal),
         plane_distance(q.plane_distance),
-        plane_epsilon(q.plane_epsilon) {
+        plane_epsilon(q.plane_epsilon),
+        lower_bound(q.lower_bound) {
     const Vec3 v = q.direction;
     for (int i = 0; i < 3; ++i) sine[i] = std::sqrt(std::max(0.0f, 1 - v[i] * v[i]));
     const float furthest = 2 * (length(bounds.center() - origin) + bounds.diagonal());

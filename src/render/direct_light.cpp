@@ -26,13 +26,19 @@ bool one_lobe_is_enough(float solid_angle, float alpha) {
   return 0.25f * solid_angle < 1e-3f * alpha * alpha;
 }
 
-/// Squared distance of a point light; what is nearer than a micrometre counts as that far.
-float point_distance2(const Vec3& to) { return std::max(dot(to, to), 1e-12f); }
-
 float smoothstep(float x) {
   const float s = std::clamp(x, 0.0f, 1.0f);
   return s * s * (3 - 2 * s);
 }
+
+/// Unit; `otherwise` at the light's centre itself.
+Vec3 direction_or(const Vec3& to, const Vec3& otherwise) {
+  const float d2 = dot(to, to);
+  return d2 > 0 ? to / std::sqrt(d2) : otherwise;
+}
+
+/// Squared distance of a point light; what is nearer than a micrometre counts as that far.
+float point_distance2(const Vec3& to) { return std::max(dot(to, to), 1e-12f); }
 
 /// Solid angle of a patch of `area` that is turned by `facing` (cosine times distance), seen from
 /// distance² `d2`; near it bounded by the half space of the disk of its area.
@@ -95,6 +101,10 @@ void DirectLight::add_mesh(const MeshLight& mesh, Source& source) {
     source.faces = mesh.faces;
 }
 
+float DirectLight::spot_part(const Source& source, const Vec3& to_light) {
+  return smoothstep(-dot(source.normal, to_light) * source.spot_scale + source.spot_offset);
+}
+
 float DirectLight::mesh_irradiance(const Source& source, const Vec3& position, const Vec3& normal,
                                    Horizon horizon) const {
   float sum = patches_irradiance(source.fine_patches, source.double_sided, position, normal);
@@ -113,11 +123,11 @@ float DirectLight::irradiance(std::size_t light, const Vec3& position, const Vec
   switch (s.type) {
     case LightType::point: {
       const float d2 = point_distance2(to), d = std::sqrt(d2);
-      const float spot = smoothstep(-dot(s.normal, to) / d * s.spot_scale + s.spot_offset);
-      return spot * std::max(0.0f, dot(normal, to)) / (d2 * d);
+      return spot_part(s, to / d) * std::max(0.0f, dot(normal, to)) / (d2 * d);
     }
     case LightType::sphere:
-      return sphere_irradiance(to, s.radius, normal, horizon);
+      return spot_part(s, direction_or(to, normal)) *
+             sphere_irradiance(to, s.radius, normal, horizon);
     case LightType::sun: {
       const float cos_centre = dot(normal, s.normal);
       if (s.sin2 < delta_sin2) return std::max(0.0f, cos_centre);
@@ -215,17 +225,17 @@ Glossy DirectLight::glossy(std::size_t light, const ShadingPoint& point) const {
   const bool is_delta =
       s.type == LightType::point || (s.type == LightType::sun && s.sin2 < delta_sin2);
   if (is_delta) {
-    const Vec3 l = s.type == LightType::sun ? s.normal : d2 > 0 ? to / std::sqrt(d2) : point.normal;
-    const float spot = smoothstep(-dot(s.normal, l) * s.spot_scale + s.spot_offset);
-    const float strength = s.type == LightType::sun ? 1 : spot / point_distance2(to);
+    const Vec3 l = s.type == LightType::sun ? s.normal : direction_or(to, point.normal);
+    const float strength = s.type == LightType::sun ? 1 : spot_part(s, l) / point_distance2(to);
     const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
     return ggx(point.alpha * point.alpha, nv, dot(point.normal, l), dot(point.to_viewer, l)) *
            strength;
   }
   if (s.type == LightType::sun) return cone_glossy(s, point, s.normal, s.sin2);
   if (s.type != LightType::sphere) return patch_glossy(s, point);
-  const Vec3 axis = d2 > 0 ? to / std::sqrt(d2) : point.normal;
-  return cone_glossy(s, point, axis, d2 > 0 ? std::min(1.0f, s.radius * s.radius / d2) : 1.0f);
+  const Vec3 axis = direction_or(to, point.normal);
+  return cone_glossy(s, point, axis, d2 > 0 ? std::min(1.0f, s.radius * s.radius / d2) : 1.0f) *
+         spot_part(s, axis);
 }
 
 }  // namespace penumbra

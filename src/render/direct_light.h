@@ -45,7 +45,8 @@ class DirectLight {
     float radius = 0;
     float sin2 = 0;                         ///< sun: squared sine of half its angular diameter
     float per_radiance = 1;                 ///< sun: radiance per unit irradiance
-    float spot_scale = 0, spot_offset = 1;  ///< cosine → [0, 1] between outer and inner cone
+    float spot_scale = 0, spot_offset = 1;  ///< point, sphere: cosine → [0, 1] between outer and
+                                            ///< inner cone
     std::array<Vec3, 4> corners;            ///< rect; segment: its ends in the first two
     float stretch = 1;                      ///< a patch's squared length over its area
     bool double_sided = false;              ///< mesh
@@ -55,6 +56,8 @@ class DirectLight {
   };
 
   static Source source_of(const Light& light, const MeshLight& mesh);
+  /// What the cone of a spot lets through to where the light's centre lies in direction `to_light`.
+  static float spot_part(const Source& source, const Vec3& to_light);
   static void add_mesh(const MeshLight& mesh, Source& source);
   float mesh_irradiance(const Source& source, const Vec3& position, const Vec3& normal,
                         Horizon horizon) const;

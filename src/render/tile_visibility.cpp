@@ -74,7 +74,7 @@ void tile_visibility(const Shadows& shadows, std::size_t light, std::span<const 
                      std::span<const std::uint8_t> asked, int tile_width,
                      std::span<LightArrival> arrivals, std::vector<LightPoint>& scratch,
                      ShadowCounts& counts) {
-  if (shadows.adaptive() && shadows.lights().light(light).type != LightType::point)
+  if (shadows.adaptive() && !is_point(shadows.lights().light(light)))
     return adaptive_visibility(shadows, light, points, asked, tile_width, arrivals, scratch,
                                counts);
   if (!shadows.sums_light_points())

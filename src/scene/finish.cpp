@@ -7,6 +7,7 @@ namespace penumbra {
 
 void finish_scene(Scene& scene, const std::string& file) {
   check_geometry(scene, file);
+  check_cameras_and_lights(scene, file);
   unshare_emissive_meshes(scene);
   bake_transforms(scene);
   drop_degenerate(scene);

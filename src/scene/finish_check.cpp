@@ -69,7 +69,24 @@ void check_sphere(const Sphere& sphere, const std::string& file) {
                      "scale the scene down");
 }
 
+[[noreturn]] void refuse_far(const char* kind, const std::string& name, const std::string& file) {
+  throw InputError({file},
+                   fmt::format("the {} '{}' lies or reaches beyond {:g} metres from the origin",
+                               kind, name, kLargest),
+                   "scale the scene down");
+}
+
 }  // namespace
+
+void check_cameras_and_lights(const Scene& scene, const std::string& file) {
+  const auto near = [](const Vec3& v) { return largest(Vec3d(v)) <= kLargest; };
+  for (const Camera& c : scene.cameras)
+    if (!near(c.position) || !is_finite(c.look_at) || !(c.ortho_height.value_or(1) <= kLargest))
+      refuse_far("camera", c.name, file);
+  for (const Light& l : scene.lights)
+    if (!near(l.position) || !near(l.edge_u) || !near(l.edge_v) || !(l.radius <= kLargest))
+      refuse_far("light", l.name, file);
+}
 
 std::string quoted_name(const Scene& scene, std::uint32_t mesh) {
   const std::string& name = scene.meshes[mesh].name;

@@ -13,6 +13,9 @@ std::string quoted_name(const Scene& scene, std::uint32_t mesh);
 /// Refuses vertices, spheres and transforms that no ray can be traced against (InputError).
 void check_geometry(const Scene& scene, const std::string& file);
 
+/// The same for cameras and lights: squares of distances to them must stay within floats.
+void check_cameras_and_lights(const Scene& scene, const std::string& file);
+
 /// Gives every emissive instance a mesh of its own, as far as memory allows (warning otherwise).
 void unshare_emissive_meshes(Scene& scene);
 

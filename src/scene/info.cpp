@@ -74,7 +74,7 @@ std::string light_text(const Scene& scene, const Light& light) {
   std::string text =
       fmt::format("{:<8}{}  {}, {} {}", to_string(light.type), quoted(light.name),
                   light_shape(scene, light), emission_word(light.type), triple(light.emission));
-  if (light.type == LightType::point && light.spot_cos_outer > -1)
+  if (light.spot_cos_outer > -1)
     text += fmt::format(", a spot along {} of {}", triple(light.normal),
                         degrees(2 * std::acos(light.spot_cos_outer)));
   return text;

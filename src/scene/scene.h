@@ -78,7 +78,7 @@ struct Light {
   Vec3 direction;              ///< sun: unit, the way light travels
   float angular_diameter = 0;  ///< sun: radians
   Vec3 emission;               ///< radiance; point: intensity; sun: irradiance on a facing surface
-  float spot_cos_inner = -1, spot_cos_outer = -1;  ///< point: full inside, none outside; −1 = all
+  float spot_cos_inner = -1, spot_cos_outer = -1;  ///< point, sphere: full inside; −1 = all
   int instance = -1;          ///< mesh: index into Scene::instances of the emitting surface
   bool double_sided = false;  ///< mesh: emits to both sides
 };

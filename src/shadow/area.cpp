@@ -11,20 +11,6 @@
 namespace penumbra {
 namespace {
 
-// A light without extent is one point.
-bool is_point(const Light& light) {
-  switch (light.type) {
-    case LightType::point:
-      return true;
-    case LightType::sun:
-      return light.angular_diameter == 0;
-    case LightType::sphere:
-      return light.radius == 0;
-    default:
-      return false;
-  }
-}
-
 // A cone costs about as much as this many rays.
 constexpr int worth_a_cone = 4;
 

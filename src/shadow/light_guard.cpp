@@ -45,6 +45,7 @@ LightGuard guard_light(const World& world, const LightViews& lights, const Recei
   query.origin = receiver.position, query.direction = view->direction;
   query.horizon = receiver.normal, query.epsilon = world.epsilon_at(receiver.position);
   query.excluded_instance = view->own_instance;
+  query.lower_bound = true;
   float sine = 0;
   if (lights.light(light).type == LightType::sun) {
     sine = std::sin(lights.light(light).angular_diameter / 2);

@@ -89,6 +89,19 @@ float diameter_of(const Light& light) {
 
 }  // namespace
 
+bool is_point(const Light& light) {
+  switch (light.type) {
+    case LightType::point:
+      return true;
+    case LightType::sun:
+      return light.angular_diameter == 0;
+    case LightType::sphere:
+      return light.radius == 0;
+    default:
+      return false;
+  }
+}
+
 bool MeshLight::takes_all(const Vec3& point, bool double_sided) const {
   if (double_sided && !closed) return true;
   return std::none_of(faces.begin(), faces.end(),

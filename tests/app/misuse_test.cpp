@@ -105,6 +105,15 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{{"--light", "sphere:0,1,0,-1,5"},
                "--light sphere:0,1,0,-1,5: the radius is not positive; write "
                "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1e10,0,1,5"},
+               "--light sphere:0,1e10,0,1,5: '1e10' is beyond 1e+09; write "
+               "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1,0,1,1e13"},
+               "--light sphere:0,1,0,1,1e13: '1e13' is beyond 1e+12; write "
+               "sphere:px,py,pz,radius,radiance"},
+        Misuse{{"--light", "sphere:0,1,0,1e-13,5"},
+               "--light sphere:0,1,0,1e-13,5: the radius is below 1e-12; write "
+               "sphere:px,py,pz,radius,radiance"},
         Misuse{{"--light", "sphere:0,1,0,1"},
                "--light sphere:0,1,0,1: 4 numbers instead of 5 or 7; write "
                "sphere:px,py,pz,radius,radiance"},
@@ -178,6 +187,11 @@ TEST_F(Misuses, OutputsAreCheckedBeforeTheScene) {
   const std::string twice = folder / "a.exr";
   expect_refused(penumbra({"render", none, "-o", twice, "--aov", "depth=" + twice}), 2,
                  twice + ": two outputs have this name; give each its own");
+  const std::string again = folder / "." + "/a.exr";
+  expect_refused(penumbra({"render", none, "-o", twice, "--aov", "depth=" + again}), 2,
+                 again + ": two outputs have this name; give each its own");
+  expect_refused(penumbra({"render", scene, "-o", twice, "--stats", scene}), 2,
+                 scene + ": this is the scene itself; name another file for the output");
   const std::string stats = folder / "lost/stats.json";
   expect_refused(penumbra({"render", none, "-o", twice, "--stats", stats}), 1,
                  stats + ": the folder " + folder / "lost" +
@@ -208,6 +222,21 @@ TEST_F(Misuses, DevicesAreNoOutputs) {
   const Outcome outcome =
       penumbra({"render", scene, "-o", folder / "a.png", "--stats", "/dev/null"});
   expect_refused(outcome, 1, "/dev/null: this is not an ordinary file; choose another output");
+}
+
+TEST_F(Misuses, VisibilityOfNoLight) {
+  expect_refused(penumbra({"render", scene, "-o", folder / "a.png", "--no-scene-lights", "--aov",
+                           "visibility=" + folder / "v.exr", "-q"}),
+                 2,
+                 "--aov visibility: the scene has no light to be seen; add one with --light or "
+                 "leave it out");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(Misuses, LightsThatGrowBeyondAllScenes) {
+  expect_refused(penumbra({"render", scene, "-o", folder / "a.png", "--light-size", "1e6",
+                           "--light", "rect:0,1,0,1e4,0,0,0,0,1,5", "-q"}),
+                 2, "--light-size: light 1 becomes larger than 1e+09; give a smaller factor");
 }
 
 void limit_files_to_200_bytes() {

@@ -78,6 +78,20 @@ TEST_F(ProbeTest, PictureOptionsAreAcceptedWithAWarning) {
               ::testing::StartsWith("penumbra: warning: --spp has no effect on probe\n"));
 }
 
+TEST_F(ProbeTest, OptionsThatAnotherOneSilencesAreTold) {
+  write_file(points, "x,y,z,nx,ny,nz\n8,-1,0,0,1,0\n");
+  const auto warning = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"probe", scene, "--points", points});
+    const std::string err = penumbra(options).err;
+    return err.substr(0, err.find('\n'));
+  };
+  EXPECT_EQ(warning({"--shadows", "area", "--light-samples", "16", "--error", "0.1"}),
+            "penumbra: warning: --light-samples has no effect beside --error");
+  EXPECT_EQ(warning({"--composite", "multiply", "--tolerance", "0"}),
+            "penumbra: warning: --tolerance has no effect with this --composite");
+  EXPECT_THAT(warning({"--composite", "min", "--tolerance", "0"}), ::testing::StartsWith("load: "));
+}
+
 TEST_F(ProbeTest, MistakesInTheHeader) {
   expect_refused_at("", ":1:1: there is no header; begin with the line x,y,z,nx,ny,nz");
   expect_refused_at("x,y,z,nx,nz\n1,2,3,4,5\n",
@@ -95,6 +109,8 @@ TEST_F(ProbeTest, MistakesInRows) {
                     ":2:11: 'inf' is not a finite number; write it like 0.25 or 1e-3");
   expect_refused_at(header + "0,0,1e99,0,1,0,0\n",
                     ":2:5: '1e99' is not a finite number; write it like 0.25 or 1e-3");
+  expect_refused_at(header + "0,-1e10,0,0,1,0,0\n",
+                    ":2:3: -1e10 is beyond 1e+09; give points as near to the origin as scenes are");
   expect_refused_at(header + "0,0,0,0,0,0,0\n",
                     ":2:7: the normal is zero; give the direction that the surface faces");
   expect_refused_at(header + "0,0,0,0,1,0,-1\n",

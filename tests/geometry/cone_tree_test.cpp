@@ -180,6 +180,67 @@ TEST(ConeTree, ExcludedInstanceDoesNotOcclude) {
   }
 }
 
+void expect_without_the_second(const Scene& scene, Random& random) {
+  Scene without = scene;
+  without.instances.pop_back();
+  const ConeTree tree(scene, 0);
+  for (int i = 0; i < 300; ++i) {
+    ConeQuery q = random_query(random);
+    q.excluded_instance = 1;
+    ConeCounts counts;
+    ASSERT_NEAR(tree.least_clearance(q, SearchLimit::exact(), counts), brute_force(without, q),
+                2e-5);
+  }
+}
+
+TEST(ConeTree, ExcludedPlacementsAndCutOutsDoNotOcclude) {
+  Random random(6);
+  Scene scene = scene_of(soup(random, 40, 0.3f));
+  scene.meshes.push_back(soup(random, 40, 0.3f));
+  scene.instances.push_back({1, 0, 0, -1, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {}}});
+  expect_without_the_second(scene, random);
+
+  scene.textures.push_back({"opaque", 1, 1, {255, 255, 255, 255}});
+  Material cut_out;
+  cut_out.diffuse_map.image = 0;
+  cut_out.alpha_cutoff = 0.5f;
+  scene.materials.push_back(cut_out);
+  scene.instances[1].material = 1;
+  scene.meshes[1].uv[0].resize(scene.meshes[1].positions.size());
+  expect_without_the_second(scene, random);
+}
+
+TEST(ConeTree, LowerBoundsOfSpheresAreTheirTangents) {
+  Random random(7);
+  int found = 0, behind = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Scene scene;
+    scene.materials.emplace_back();
+    scene.objects.push_back({"sphere"});
+    const float radius = uniform(random, 0.05f, 1);
+    scene.spheres.push_back({point(random, 2), radius, 0, 0});
+    const Vec3d c(scene.spheres[0].center);
+    ConeQuery q;
+    q.direction = q.horizon = direction(random);
+    q.outer = 2;
+    q.lower_bound = true;
+    const double away = length(c), along = dot(c, Vec3d(q.direction));
+    if (along + radius <= 0.01) continue;
+    double truth = 0;
+    if (away > radius) {
+      const double angle = std::acos(along / away) - std::asin(radius / away);
+      if (angle > 0) truth = angle < 1.5 ? std::min(std::tan(angle), 2.0) : 2;
+    }
+    found += truth > 0 && truth < 2, behind += along < 0 && truth < 2;
+    ConeCounts counts;
+    ASSERT_NEAR(ConeTree(scene).least_clearance(q, SearchLimit::exact(), counts), truth,
+                1e-4 * (1 + truth))
+        << "sphere " << i;
+  }
+  EXPECT_GT(found, 300);
+  EXPECT_GT(behind, 30);
+}
+
 TEST(ConeTree, EmptySceneIsClear) {
   const Scene scene;
   const ConeTree tree(scene);

@@ -147,6 +147,35 @@ TEST(DirectLight, ASpotIsFullInsideAndNothingOutside) {
   EXPECT_EQ(lights.irradiance(0, {2 * std::tan(0.51f), 0, 0}, up, Horizon::exact), 0);
 }
 
+TEST(DirectLight, ASphereKeepsTheConeOfItsSpot) {
+  Scene scene;
+  for (const float cos_outer : {-1.0f, std::cos(0.5f)}) {
+    Light light;
+    light.type = LightType::sphere;
+    light.position = {0, 2, 0};
+    light.radius = 0.1f;
+    light.normal = {0, -1, 0};
+    light.spot_cos_inner = cos_outer < 0 ? -1 : std::cos(0.3f);
+    light.spot_cos_outer = cos_outer;
+    scene.lights.push_back(light);
+  }
+  const LightViews views(scene);
+  const DirectLight lights(views);
+  for (const float angle : {0.0f, 0.25f, 0.4f, 0.51f}) {
+    ShadingPoint p;
+    p.position = {2 * std::tan(angle), 0, 0};
+    p.normal = {0, 1, 0};
+    p.to_viewer = normalize(Vec3{1, 1, 0});
+    p.alpha = 0.3f;
+    const float whole = lights.irradiance(0, p.position, p.normal, Horizon::exact);
+    const float part = lights.irradiance(1, p.position, p.normal, Horizon::exact) / whole;
+    if (angle < 0.3f) EXPECT_FLOAT_EQ(part, 1);
+    if (angle == 0.4f) EXPECT_NEAR(part, 0.5f, 0.1f);
+    if (angle > 0.5f) EXPECT_EQ(part, 0);
+    EXPECT_NEAR(lights.glossy(1, p).f0, part * lights.glossy(0, p).f0, 1e-6f);
+  }
+}
+
 /// Sums the lobe over a sphere light by brute force.
 Glossy brute_sphere_glossy(const Light& light, const ShadingPoint& p) {
   constexpr int rings = 200, spokes = 400;

@@ -215,6 +215,24 @@ TEST(Render, AreaConvergesToTheIntegralWithTheCosinesInside) {
   EXPECT_NEAR(half_hidden, half, 0.01f * half);
 }
 
+TEST(Render, AdaptiveAreaTakesOneRayToALightWithoutExtent) {
+  Scene scene = still_life();
+  Light sun;
+  sun.type = LightType::sun;
+  sun.direction = normalize(Vec3{-0.3f, -1, -0.2f});
+  sun.emission = Vec3(1.0f);
+  scene.lights = {sun};
+  RenderOptions options = small_options(ShadowKind::area);
+  options.want_error = true;
+  const RenderResult fixed = picture(scene, options);
+  options.shadows.error = 0.002f;
+  const RenderResult adaptive = picture(scene, options);
+  EXPECT_EQ(adaptive.color.data, fixed.color.data);
+  EXPECT_GT(adaptive.stats.shadows.rays, 0u);
+  EXPECT_LE(adaptive.stats.shadows.rays, adaptive.stats.primary_rays + adaptive.stats.mirror_rays);
+  for (const float error : adaptive.error.data) ASSERT_EQ(error, 0);
+}
+
 TEST(Render, RefusesWhatCannotBe) {
   Scene scene = still_life();
   const auto refused = [&](auto change) {

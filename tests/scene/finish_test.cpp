@@ -120,6 +120,29 @@ TEST(Finish, RefusesBadTransforms) {
   EXPECT_EQ(error_of(scene), "no error");
 }
 
+TEST(Finish, RefusesCamerasAndLightsBeyondAllScenes) {
+  Scene scene = scene_of({triangle()});
+  scene.cameras.push_back({"eye", {0, 1, 1e30f}, {}});
+  EXPECT_EQ(error_of(scene),
+            "a.ply: the camera 'eye' lies or reaches beyond 1e+09 metres from the origin; scale "
+            "the scene down");
+  scene.cameras[0].position = {0, 1, 1e9f};
+  EXPECT_EQ(error_of(scene), "no error");
+  scene.cameras[0].ortho_height = 1e10f;
+  EXPECT_NE(error_of(scene), "no error");
+  scene.cameras.clear();
+  scene.lights.emplace_back().name = "lamp";
+  for (Vec3 Light::*part : {&Light::position, &Light::edge_u, &Light::edge_v}) {
+    scene.lights[0].*part = {0, -1e10f, 0};
+    EXPECT_EQ(error_of(scene),
+              "a.ply: the light 'lamp' lies or reaches beyond 1e+09 metres from the origin; scale "
+              "the scene down");
+    scene.lights[0].*part = {};
+  }
+  scene.lights[0].radius = INFINITY;
+  EXPECT_NE(error_of(scene), "no error");
+}
+
 TEST(Finish, RefusesBadSpheres) {
   Scene scene = scene_of({triangle()});
   scene.spheres.push_back({{0, 0, 0}, -1, 0, 0});

@@ -81,6 +81,21 @@ TEST(GltfMaterial, MaskHasACutoff) {
   EXPECT_EQ(material(R"("alphaMode":"MASK","alphaCutoff":0.25)").alpha_cutoff, 0.25f);
 }
 
+TEST(GltfMaterial, AMaskWithoutTextureShowsAllOrNothing) {
+  const auto instances = [](const char* alpha, const char* mode) {
+    const Scene scene =
+        read(triangle_with(fmt::format(R"("materials":[{{"alphaMode":"{}","pbrMetallicRoughness":)"
+                                       R"({{"baseColorFactor":[1,1,1,{}]}}}}])",
+                                       mode, alpha),
+                           R"(,"material":0)"));
+    EXPECT_EQ(scene.report.warnings.size(), scene.instances.empty() ? 1u : 0u);
+    return scene.instances.size();
+  };
+  EXPECT_EQ(instances("0.25", "MASK"), 0u);
+  EXPECT_EQ(instances("0.5", "MASK"), 1u);
+  EXPECT_EQ(instances("0.25", "OPAQUE"), 1u);
+}
+
 TEST(GltfMaterial, BlendIsOpaqueWithAWarning) {
   const Scene scene = read(triangle_with(
       R"("materials":[{"name":"leaf","alphaMode":"BLEND"},{"name":"glass","alphaMode":"BLEND",)"

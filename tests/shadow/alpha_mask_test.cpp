@@ -75,10 +75,25 @@ TEST(AlphaMask, ParkersPenumbraBeginsAtTheTexturesEdge) {
 
 TEST(AlphaMask, DistanceFieldIsSigned) {
   const Scene scene = half_open_roof();
-  const AlphaMask mask(scene.textures[0], 1, 0.5f);
+  const AlphaMask mask(scene.textures[0], 1, 0.5f, Wrap::clamp, Wrap::clamp);
   EXPECT_NEAR(mask.distance(0.25f, 0.5f), 16, 0.01f);
   EXPECT_NEAR(mask.distance(0.75f, 0.5f), -16, 0.01f);
   EXPECT_NEAR(mask.distance(0.5f, 0.5f), 0, 0.01f);
+}
+
+TEST(AlphaMask, BordersAreWhatTheWrapMakesThem) {
+  const Scene scene = half_open_roof();
+  const TextureImage& image = scene.textures[0];
+  for (const Wrap wrap : {Wrap::clamp, Wrap::mirror}) {
+    const AlphaMask mask(image, 1, 0.5f, wrap, wrap);
+    EXPECT_NEAR(mask.distance(0, 0.5f), 31.5f, 0.01f);
+    EXPECT_NEAR(mask.distance(1, 0.5f), -31.5f, 0.01f);
+  }
+  const AlphaMask tiled(image, 1, 0.5f, Wrap::repeat, Wrap::repeat);
+  EXPECT_NEAR(tiled.distance(0, 0.5f), 0, 0.01f) << "the next tile begins there";
+  EXPECT_NEAR(tiled.distance(0.125f, 0.5f), 8, 0.01f) << "nearest in the tile before";
+  EXPECT_NEAR(tiled.distance(0.875f, 0.5f), -8, 0.01f) << "nearest hole in the tile behind";
+  EXPECT_NEAR(tiled.distance(0.25f, 0.5f), 15.5f, 0.01f);
 }
 
 }  // namespace

@@ -35,6 +35,12 @@ void check_instance_count(const Document& document, const NodeTree& tree) {
   }
 }
 
+/// alphaMode MASK with a factor below the cutoff and no texture: a hole everywhere.
+bool is_cut_away(const Material& material) {
+  return material.alpha_cutoff && !material.diffuse_map.used() &&
+         material.alpha < *material.alpha_cutoff;
+}
+
 /// Fills meshes, instances and objects of a scene from the nodes.
 class Builder {
  public:
@@ -82,6 +88,9 @@ void Builder::add_instance(std::size_t node, std::uint32_t mesh,
   Instance instance;
   instance.mesh = mesh;
   instance.material = material(primitive);
+  if (is_cut_away(scene_.materials[instance.material]))
+    return document_.warnings().add("a mesh whose material cuts all of it away is left out",
+                                    node_name(document_, node));
   instance.object = static_cast<std::uint32_t>(scene_.objects.size() - 1);
   instance.world_from_mesh = tree_.world_from_node[node];
   scene_.instances.push_back(instance);

@@ -25,13 +25,18 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// Fills the buffer as far as there is data; returns how much it gave. 0 is the end.
+  /// Fills the buffer as far as there is data, in runs of at most INT_MAX bytes; returns how much
+  /// it gave. Less than `size` is the end.
   std::size_t read(char* buffer, std::size_t size) {
-    stream_.next_out = reinterpret_cast<Bytef*>(buffer);
-    stream_.avail_out = static_cast<uInt>(std::min<std::size_t>(size, INT_MAX));
-    const uInt wanted = stream_.avail_out;
-    while (stream_.avail_out > 0 && !done_) step();
-    return wanted - stream_.avail_out;
+    std::size_t given = 0;
+    while (given < size && !done_) {
+      stream_.next_out = reinterpret_cast<Bytef*>(buffer + given);
+      stream_.avail_out = static_cast<uInt>(std::min<std::size_t>(size - given, INT_MAX));
+      const uInt wanted = stream_.avail_out;
+      while (stream_.avail_out > 0 && !done_) step();
+      given += wanted - stream_.avail_out;
+    }
+    return given;
   }
 
  private:
