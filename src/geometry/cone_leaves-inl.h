@@ -200,7 +200,7 @@ HWY_INLINE bool leaf_in(const TriangleLeaf& leaf, const ConeShaft& shaft,
 /// spheres, of those that reach over the horizon and before the light: sin and cos of the
 /// difference between the angle to the centre and the sphere's half angle, times its distance
 /// squared.
-HWY_INLINE Floats tangent_clearance(const Point& c, Floats r, const LocalQuery& q) {
+HWY_NOINLINE void tangent_clearance(const Point& c, Floats r, const LocalQuery& q, float* out) {
   const Floats zero = hn::Zero(Lanes());
   const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);
   const Floats away2 = hn::MulAdd(x, x, hn::Mul(y, y)), away = hn::Sqrt(away2);
@@ -216,7 +216,7 @@ HWY_INLINE Floats tangent_clearance(const Point& c, Floats r, const LocalQuery& 
     const Floats before = hn::Add(dot(q.plane_normal, c), all(q.plane_distance - q.plane_epsilon));
     counts = hn::And(counts, hn::Gt(hn::Add(before, r), zero));
   }
-  return hn::IfThenElse(counts, least, all(infinite));
+  hn::Store(hn::IfThenElse(counts, least, all(infinite)), Lanes(), out);
 }
 
 HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float limit,
@@ -229,7 +229,7 @@ HWY_INLINE void sphere_lanes(const SphereLeaf& leaf, const LocalQuery& q, float 
                   hn::Sub(hn::Load(d, leaf.center[2] + first), all(q.origin.z))};
     const Floats r = hn::Load(d, leaf.radius + first);
     if (q.lower_bound) {
-      hn::Store(tangent_clearance(c, r, q), d, out.lane + first);
+      tangent_clearance(c, r, q, out.lane + first);
       continue;
     }
     const Floats x = dot(q.ray.u, c), y = dot(q.ray.v, c), z = dot(q.ray.w, c);

@@ -1,6 +1,8 @@
 // Where a walk's finds go, and how far it still has to look. Private to the geometry room.
 #pragma once
 
+#include <hwy/base.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -24,7 +26,7 @@ class LeastSink {
   float limit() const { return limit_; }
   bool done() const { return limit_ <= 0; }
   /// True if the limit changed.
-  bool offer(float clearance) {
+  HWY_INLINE bool offer(float clearance) {
     if (!(clearance < best_)) return false;
     best_ = clearance;
     const auto bin = static_cast<std::size_t>(best_ * bins_per_clearance_);

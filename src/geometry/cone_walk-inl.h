@@ -126,7 +126,7 @@ class Walk {
     }
   }
 
-  bool look(const CutOut& cut, const ConeQuery& world) {
+  HWY_NOINLINE bool look(const CutOut& cut, const ConeQuery& world) {
     if (is_excluded(cut.instance, world)) return false;
     ++counts_.leaves;
     const float clearance = cut_out_clearance(data_, cut, q_);
@@ -141,7 +141,7 @@ class Walk {
            instance == static_cast<std::uint32_t>(world.excluded_instance);
   }
 
-  bool enter(const Placement& placed, const ConeQuery& world) {
+  HWY_NOINLINE bool enter(const Placement& placed, const ConeQuery& world) {
     if (is_excluded(placed.instance, world)) return false;
     ConeQuery inner = world;
     const Affine& m = placed.mesh_from_world;

@@ -1,6 +1,8 @@
 // A cone query in the frame of one tree, and the slabs of its cone. Private to the geometry room.
 #pragma once
 
+#include <hwy/base.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ struct LocalQuery {
   std::uint32_t excluded_first = 0, excluded_last = 0;
 
   /// `bounds`: of everything in the tree.
-  LocalQuery(const ConeQuery& q, const Bounds& bounds)
+  HWY_INLINE LocalQuery(const ConeQuery& q, const Bounds& bounds)
       : origin(q.origin),
         ray(frame_around(q.direction)),
         t_max(q.distance),
@@ -53,7 +55,7 @@ struct ConeSlabs {
   bool lo_is_near[3], hi_is_far[3];
 
   ConeSlabs() = default;
-  ConeSlabs(const LocalQuery& q, float k) {
+  HWY_INLINE ConeSlabs(const LocalQuery& q, float k) {
     for (int i = 0; i < 3; ++i) {
       const float v = q.ray.w[i], reach = k * q.sine[i];
       inv_lo[i] = reciprocal(v + reach), inv_hi[i] = reciprocal(v - reach);
