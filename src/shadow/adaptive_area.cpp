@@ -56,7 +56,8 @@ class AdaptiveArea::Search {
       : area_(area),
         receiver_(receiver),
         light_(area.lights_.light(light)),
-        make_(area.lights_, light, receiver.position, area.world_.epsilon_at(light_.position)),
+        make_(area.lights_, light, receiver.position,
+              on_plane_epsilon(area.world_, light_.position, receiver.position)),
         pattern_(area.samples_.unshifted_pattern(hash(stream, light))),
         origin_(receiver.position + receiver.normal * area.world_.epsilon_at(receiver.position)) {}
 

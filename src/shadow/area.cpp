@@ -36,7 +36,8 @@ Visibility Shadows::light_points(const Receiver& receiver, std::size_t light, st
   const Light& source = lights_.light(light);
   const float epsilon = world_.epsilon_at(receiver.position);
   const Vec3 origin = receiver.position + receiver.normal * epsilon;
-  const LightPoints make(lights_, light, receiver.position, world_.epsilon_at(source.position));
+  const LightPoints make(lights_, light, receiver.position,
+                         on_plane_epsilon(world_, source.position, receiver.position));
   const SamplePattern pattern = samples_.pattern(hash(stream, light));
   const int count = is_point(source) ? 1 : samples_.count();
   for (int i = 0; i < count; ++i) {
