@@ -153,6 +153,26 @@ TEST(LightView, TheCeilingOfAFlatLightDoesNotOcclude) {
   }
 }
 
+TEST(LightView, WhatIsBelowTheHorizonIsHidden) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.objects.push_back({"far away"});
+  scene.spheres.push_back({{0, 90, 90}, 1, 0, 0});
+  Light light = light_above(LightType::sphere);
+  light.radius = 0.5f;
+  scene.lights.push_back(light);
+  for (const float height : {0.1f, -0.1f, -0.6f}) {
+    scene.lights[0].position = {3, height, 0};
+    const bool centre_seen = height > 0;
+    EXPECT_EQ(fraction(scene, ShadowKind::hard), centre_seen) << height;
+    EXPECT_EQ(fraction(scene, ShadowKind::parker), centre_seen) << height;
+    // The disk's part above a chord, x = height / radius.
+    const float x = std::clamp(height / 0.5f, -1.0f, 1.0f);
+    const float part = 0.5f + (x * std::sqrt(1 - x * x) + std::asin(x)) / pi;
+    EXPECT_NEAR(fraction(scene, ShadowKind::area), part, 0.03f) << height;
+  }
+}
+
 TEST(LightView, WhatIsInsideASphereLightDoesNotOccludeIt) {
   Scene scene;
   scene.materials.emplace_back();
