@@ -122,12 +122,11 @@ std::vector<RTCRay> area_rays(const Shadows& shadows, const std::vector<Receiver
   std::vector<RTCRay> out;
   out.reserve(points.size() * static_cast<std::size_t>(count));
   const World& world = shadows.world();
-  const float light_epsilon = world.epsilon_at(shadows.lights().light(0).position);
   const LightSamples samples(count, shadows.options().seed, LightSamples::Order::neighbours);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Receiver& p = points[i];
     const Vec3 origin = p.position + p.normal * world.epsilon_at(p.position);
-    const LightPoints light(shadows.lights(), 0, p.position, light_epsilon);
+    const LightPoints light(shadows.lights(), 0, p.position, on_plane_epsilon(world, shadows.lights().light(0).position, p.position));
     const SamplePattern pattern = samples.pattern(hash(i, 0));
     for (int k = 0; k < count; ++k) {
       const LightTarget t = light.target(pattern, k);

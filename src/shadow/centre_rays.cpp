@@ -49,7 +49,8 @@ HWY_INLINE void lanes(const Eight& from, const CentreLight& light, std::size_t f
       const Point plane{all(light.normal.x), all(light.normal.y), all(light.normal.z)};
       const Floats height = hn::Abs(dot(plane, way));
       const Floats lean = hn::Max(hn::Div(height, t_max), all(1e-4f));
-      t_max = hn::Sub(t_max, hn::Div(all(light.epsilon), lean));
+      const Floats on_plane = hn::Mul(all(2), hn::Add(all(light.epsilon), epsilon));
+      t_max = hn::Sub(t_max, hn::Div(on_plane, lean));
     }
     const Floats distance = light.flat ? hn::Sqrt(dot(way, way)) : t_max;
     way = {hn::Div(way.x, distance), hn::Div(way.y, distance), hn::Div(way.z, distance)};

@@ -14,7 +14,7 @@ struct CentreLight {
   Vec3 at;               ///< the centre
   bool flat = false;     ///< `normal` is that of its plane
   Vec3 normal;
-  float epsilon = 0;        ///< metres in front of the plane that still lie on it
+  float epsilon = 0;        ///< of the centre, see World::epsilon_at
   float least_epsilon = 0;  ///< of receivers, see World::epsilon_at
 };
 

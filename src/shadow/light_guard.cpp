@@ -63,7 +63,8 @@ LightGuard guard_light(const World& world, const LightViews& lights, const Recei
   if (view->flat) {
     query.has_plane = true;
     query.plane_normal = view->plane_normal, query.plane_distance = view->plane_distance;
-    query.plane_epsilon = world.epsilon_at(receiver.position + view->direction * view->distance);
+    const Vec3 center = receiver.position + view->direction * view->distance;
+    query.plane_epsilon = on_plane_epsilon(world, center, receiver.position);
   }
   ConeCounts cone;
   const float clearance = world.cone_tree().least_clearance(query, anything(), cone);

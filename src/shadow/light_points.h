@@ -1,6 +1,7 @@
 // The points of one light as one receiver sees them: directions, distances, weights.
 #pragma once
 
+#include "geometry/world.h"
 #include "shadow/light_samples.h"
 #include "shadow/light_view.h"
 
@@ -20,6 +21,13 @@ struct alignas(32) LightPacket {
   float t_max[size];
   float weight[size];
 };
+
+/// How far in front of a flat light's plane an occluder may be computed that lies on it, metres,
+/// across the plane: the error of the place on the light, the lift of the rays' origin off the
+/// receiver, and the error of what they meet, which is as large as the receiver's coordinates.
+inline float on_plane_epsilon(const World& world, const Vec3& on_light, const Vec3& receiver) {
+  return 2 * (world.epsilon_at(on_light) + world.epsilon_at(receiver));
+}
 
 /// Makes the targets of one light for one receiver. Sphere lights and suns by solid angle, disk,
 /// rect and mesh lights by area, segments by length. `epsilon`: metres in front of a flat light

@@ -222,7 +222,7 @@ void LightPoints::packet(const SamplePattern& pattern, const float* x, const flo
 
 LightRays::LightRays(const World& world, const LightViews& lights, const Receiver& receiver,
                      std::size_t light, const SamplePattern& pattern, bool unoccluded)
-    : points_(lights, light, receiver.position, world.epsilon_at(lights.light(light).position)),
+    : points_(lights, light, receiver.position, on_plane_epsilon(world, lights.light(light).position, receiver.position)),
       pattern_(pattern),
       setup_{points_,
              pattern_,

@@ -47,7 +47,8 @@ float Shadows::hard(const Receiver& receiver, const LightView& view, ShadowCount
   if (view.flat) {
     // What is on the light's own plane does not occlude: stop short of it, measured across it.
     const float lean = std::max(view.plane_distance / view.distance, 1e-4f);
-    ray.t_max -= world_.epsilon_at(receiver.position + view.direction * view.distance) / lean;
+    const Vec3 center = receiver.position + view.direction * view.distance;
+    ray.t_max -= on_plane_epsilon(world_, center, receiver.position) / lean;
   }
   ++counts.rays;
   return world_.embree().occluded(ray, view.own_instance) ? 0.0f : 1.0f;
@@ -66,7 +67,8 @@ ConeQuery Shadows::cone_query(const Receiver& receiver, const LightView& view) c
     query.has_plane = true;
     query.plane_normal = view.plane_normal;
     query.plane_distance = view.plane_distance;
-    query.plane_epsilon = world_.epsilon_at(receiver.position + view.direction * view.distance);
+    const Vec3 center = receiver.position + view.direction * view.distance;
+    query.plane_epsilon = on_plane_epsilon(world_, center, receiver.position);
   }
   return query;
 }

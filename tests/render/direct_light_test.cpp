@@ -169,9 +169,8 @@ TEST(DirectLight, ASphereKeepsTheConeOfItsSpot) {
     p.alpha = 0.3f;
     const float whole = lights.irradiance(0, p.position, p.normal, Horizon::exact);
     const float part = lights.irradiance(1, p.position, p.normal, Horizon::exact) / whole;
-    if (angle < 0.3f) EXPECT_FLOAT_EQ(part, 1);
-    if (angle == 0.4f) EXPECT_NEAR(part, 0.5f, 0.1f);
-    if (angle > 0.5f) EXPECT_EQ(part, 0);
+    const float expected = angle < 0.3f ? 1 : angle > 0.5f ? 0 : 0.5f;
+    EXPECT_NEAR(part, expected, expected == 0.5f ? 0.1f : 1e-6f);
     EXPECT_NEAR(lights.glossy(1, p).f0, part * lights.glossy(0, p).f0, 1e-6f);
   }
 }

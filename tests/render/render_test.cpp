@@ -233,6 +233,34 @@ TEST(Render, AdaptiveAreaTakesOneRayToALightWithoutExtent) {
   for (const float error : adaptive.error.data) ASSERT_EQ(error, 0);
 }
 
+TEST(Render, HardShadowsFadeOutWhereTheLightsCentreSets) {
+  Scene scene;
+  add_floor(scene, add_material(scene, diffuse_material(Vec3(1.0f))));
+  add_sphere_light(scene, {3, 0.1f, 0}, 0.5f, 100);
+  add_camera(scene, {0, 1, 1e-3f}, {0, 0, 0}, 1e-4f);
+  scene.ambient = {};
+  const float found = color_at(picture(scene, small_options(ShadowKind::hard, 1, 1)), 0, 0).x;
+  const float d2 = 9 + 0.01f, expected = 100 * 0.25f / d2 * 0.1f / std::sqrt(d2);
+  EXPECT_NEAR(found, expected, 0.01f * expected);
+  EXPECT_GT(color_at(picture(scene, small_options(ShadowKind::area, 1, 1)), 0, 0).x, 1.5f * found);
+}
+
+TEST(Render, TheErrorAskedForIsThePixels) {
+  const Scene scene = still_life();
+  RenderOptions options = small_options(ShadowKind::area);
+  options.shadows.error = 0.02f;
+  const auto rays_per_sample = [&] {
+    const RenderStats stats = picture(scene, options).stats;
+    return static_cast<double>(stats.shadows.rays) / static_cast<double>(stats.primary_rays);
+  };
+  const double one = rays_per_sample();
+  options.spp = 4;
+  const double more = rays_per_sample();
+  EXPECT_LT(more, 0.8 * one) << "four samples may err twice as much each";
+  options.shadows.error = 0.01f;
+  EXPECT_NEAR(rays_per_sample(), one, 0.1 * one);
+}
+
 TEST(Render, RefusesWhatCannotBe) {
   Scene scene = still_life();
   const auto refused = [&](auto change) {

@@ -122,7 +122,9 @@ TEST(Finish, RefusesBadTransforms) {
 
 TEST(Finish, RefusesCamerasAndLightsBeyondAllScenes) {
   Scene scene = scene_of({triangle()});
-  scene.cameras.push_back({"eye", {0, 1, 1e30f}, {}});
+  scene.cameras.emplace_back();
+  scene.cameras[0].name = "eye";
+  scene.cameras[0].position = {0, 1, 1e30f};
   EXPECT_EQ(error_of(scene),
             "a.ply: the camera 'eye' lies or reaches beyond 1e+09 metres from the origin; scale "
             "the scene down");

@@ -72,6 +72,7 @@ TEST(ParkerHeader, ASphereBlocksOnlyBetweenPointAndLight) {
   EXPECT_EQ(clearance(4.5f, 1), 0) << "its centre is behind the light";
   EXPECT_EQ(clearance(-2, 1), parker::clear);
   EXPECT_EQ(clearance(6, 1), parker::clear);
+  EXPECT_EQ(parker::sphere_clearance(ray, {1.5f, 0, 6}, 1), parker::clear);
 }
 
 TEST(ParkerHeader, OfASphereThatCrossesPlanesTheRestCounts) {
