@@ -32,12 +32,12 @@ struct F {
   }
 };
 
-#define PENUMBRA_LANEWISE(expression)               \
-  F r;                                              \
+#define PENUMBRA_LANEWISE(expression)                      \
+  F r;                                                     \
   for (int i = 0; i < vectors; ++i) r.v[i] = (expression); \
   return r
-#define PENUMBRA_MASKWISE(expression)               \
-  M r;                                              \
+#define PENUMBRA_MASKWISE(expression)                      \
+  M r;                                                     \
   for (int i = 0; i < vectors; ++i) r.v[i] = (expression); \
   return r
 
@@ -108,7 +108,9 @@ struct P {
 };
 HWY_INLINE F dot(const P& a, const P& b) { return mad(a.x, b.x, mad(a.y, b.y, a.z * b.z)); }
 HWY_INLINE F length(const F& x, const F& y) { return sqrt(mad(x, x, y * y)); }
-HWY_INLINE F length(const F& x, const F& y, const F& z) { return sqrt(mad(x, x, mad(y, y, z * z))); }
+HWY_INLINE F length(const F& x, const F& y, const F& z) {
+  return sqrt(mad(x, x, mad(y, y, z * z)));
+}
 HWY_INLINE F clamp(const F& x, const F& lo, const F& hi) { return min(max(x, lo), hi); }
 /// p − c for constants c.
 HWY_INLINE P from(const P& p, const float* c) { return {p.x - c[0], p.y - c[1], p.z - c[2]}; }

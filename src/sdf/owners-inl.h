@@ -38,7 +38,9 @@ struct OwnerMachine {
     }
     return r;
   }
-  HWY_INLINE Owned with(const Owned& a, const F& value) const { return {value, a.surface, a.blend}; }
+  HWY_INLINE Owned with(const Owned& a, const F& value) const {
+    return {value, a.surface, a.blend};
+  }
   HWY_INLINE Owned multiply(const Owned& a, float x) const { return with(a, a.value * x); }
   HWY_INLINE Owned onion(const Owned& a, float t) const { return with(a, abs(a.value) - t); }
   HWY_INLINE Owned round(const Owned& a, float r) const { return with(a, a.value - r); }
@@ -50,6 +52,8 @@ struct OwnerMachine {
   }
   HWY_INLINE Owned stored(const F& e) const { return {e, 0.0f, 0.0f}; }
   HWY_INLINE void before_join(std::size_t, const Owned&, const Owned&) {}
+  HWY_INLINE void enter(const Tape&, Word, const float*, const P&) {}
+  HWY_INLINE void leave(std::uint32_t) {}
 };
 
 HWY_INLINE void find_owners(const FieldData& field, const P& p, std::size_t count,

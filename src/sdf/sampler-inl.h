@@ -47,8 +47,7 @@ class Sampler {
       const std::uint32_t here = same(code, number);
       const Regions::Code& c = regions_.codes[number];
       ValueMachine machine;
-      const F d =
-          run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
+      const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
       result = first ? d : select(mask_of(here), d, result);
       if (HWY_LIKELY((active &= ~here) == 0)) return result;
     }
