@@ -12,7 +12,7 @@ void finish_scene(Scene& scene, const std::string& file) {
   bake_transforms(scene);
   drop_degenerate(scene);
   repair_attributes(scene);
-  if (scene.instances.empty() && scene.spheres.empty())
+  if (scene.instances.empty() && scene.spheres.empty() && scene.sdfs.empty() && !scene.glsl)
     throw InputError({file}, "contains no triangle and no sphere",
                      "name a file with something to render");
   add_mesh_lights(scene);

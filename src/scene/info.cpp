@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -88,6 +90,32 @@ std::string camera_text(const Camera& camera) {
                      triple(camera.look_at), opening);
 }
 
+std::string field_text(const Scene& scene, const SdfTree& tree) {
+  std::array<std::size_t, sdf_op_count> count{};
+  std::vector<std::uint32_t> depth(tree.nodes.size(), 1);
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const SdfNode& node = tree.nodes[i];
+    ++count[static_cast<std::size_t>(node.op)];
+    for (std::uint32_t c = 0; c < node.child_count; ++c) depth[node.first_child + c] = depth[i] + 1;
+  }
+  std::string ops;
+  for (const SdfSignature& s : sdf_signatures())
+    if (const std::size_t n = count[static_cast<std::size_t>(s.op)]; n > 0)
+      ops += fmt::format("{}{} {}", ops.empty() ? "" : ", ", n, s.name);
+  const Bounds box = bounds_of(tree);
+  return fmt::format("{}  {} nodes, {} levels: {}; {}", quoted(scene.objects[tree.object].name),
+                     tree.nodes.size(), *std::ranges::max_element(depth), ops,
+                     is_finite(box) ? fmt::format("within {} to {}", triple(box.lo), triple(box.hi))
+                                    : "unbounded");
+}
+
+void field_lines(std::string& out, const Scene& scene) {
+  if (!scene.sdfs.empty()) line(out, "fields", fmt::format("{}", scene.sdfs.size()));
+  for (std::size_t i = 0; i < scene.sdfs.size(); ++i)
+    line(out, fmt::format("{:>4}", i), field_text(scene, scene.sdfs[i]));
+  if (scene.glsl) line(out, "shader", printable(scene.glsl->path));
+}
+
 void geometry_lines(std::string& out, const Scene& scene) {
   std::size_t unique = 0, placed = 0;
   for (const Mesh& mesh : scene.meshes) unique += mesh.triangle_count();
@@ -100,6 +128,7 @@ void geometry_lines(std::string& out, const Scene& scene) {
   if (scene.report.dropped_triangles > 0)
     line(out, "dropped", fmt::format("{} triangles of zero area", scene.report.dropped_triangles));
   line(out, "spheres", fmt::format("{}", scene.spheres.size()));
+  field_lines(out, scene);
   const Bounds bounds = bounds_of(scene);
   if (bounds.empty()) return line(out, "bounds", "empty");
   line(out, "bounds", fmt::format("{} to {}", triple(bounds.lo), triple(bounds.hi)));

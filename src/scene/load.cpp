@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "scene/finish.h"
+#include "scene/glsl_source.h"
 
 namespace penumbra {
 namespace {
@@ -15,9 +16,15 @@ struct Format {
   std::string_view extension;
   Scene (*read)(const std::string&);
 };
-constexpr Format formats[] = {
-    {".json", read_json_scene}, {".gltf", read_gltf},  {".glb", read_gltf}, {".obj", read_obj},
-    {".ply", read_ply},         {".ply.gz", read_ply}, {".stl", read_stl}};
+constexpr Format formats[] = {{".json", read_json_scene}, {".gltf", read_gltf},
+                              {".glb", read_gltf},        {".obj", read_obj},
+                              {".ply", read_ply},         {".ply.gz", read_ply},
+                              {".stl", read_stl},         {".glsl", read_glsl_scene}};
+
+// Those that hold triangles.
+std::span<const Format> model_formats() {
+  return std::span(formats).subspan(1, std::size(formats) - 2);
+}
 
 std::string lower_case_name(const std::string& path) {
   std::string name = std::filesystem::path(path).filename().string();
@@ -28,10 +35,6 @@ std::string lower_case_name(const std::string& path) {
 
 [[noreturn]] void refuse_format(const std::string& path, const std::string& name,
                                 std::span<const Format> known) {
-  if (name.ends_with(".glsl"))
-    throw InputError(Place{path},
-                     "distance-field shaders (.glsl) are not supported by this version",
-                     "use a scene of triangles and spheres");
   std::string list;
   for (const Format& format : known) (list += list.empty() ? "" : ", ") += format.extension;
   const std::string extension = std::filesystem::path(name).extension().string();
@@ -63,6 +66,6 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
   return scene;
 }
 
-Scene read_model(const std::string& path) { return read_as(path, std::span(formats).subspan(1)); }
+Scene read_model(const std::string& path) { return read_as(path, model_formats()); }
 
 }  // namespace penumbra

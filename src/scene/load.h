@@ -11,7 +11,7 @@ struct LoadOptions {
   bool add_missing_camera_and_light = true;
 };
 
-/// Loads .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl and finishes the scene (finish.h).
+/// Loads .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl, .glsl and finishes the scene (finish.h).
 /// Throws InputError with the place. Not to be called from several threads on one Scene.
 Scene load_scene(const std::string& path, const LoadOptions& options = {});
 

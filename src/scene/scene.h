@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/affine.h"
 #include "base/vec.h"
 #include "image/texture.h"
+#include "scene/sdf.h"
 
 namespace penumbra {
 
@@ -30,6 +32,17 @@ struct Material {
   float alpha = 1;                     ///< base colour's alpha factor
 };
 
+// What a mesh was before it became triangles, for distances to it.
+struct ExactBox {
+  Vec3 lo, hi;
+};
+struct ExactQuad {
+  Vec3 corner, edge_u, edge_v;
+};
+struct ExactPolygon {
+  std::vector<Vec3> vertices;  ///< in order around its border
+};
+
 /// A triangle mesh of one material slot. Triangles wind counter-clockwise seen from the front.
 struct Mesh {
   std::string name;
@@ -37,6 +50,9 @@ struct Mesh {
   std::vector<Vec3> normals;           ///< per vertex, unit; empty = geometric
   std::vector<Vec2> uv[2];             ///< per vertex; may be empty
   std::vector<std::uint32_t> indices;  ///< 3 a triangle, all in range, no zero-area triangle
+
+  /// Set only while the positions are still those of the object in the file.
+  std::variant<std::monostate, ExactBox, ExactQuad, ExactPolygon> exact;
 
   std::size_t triangle_count() const { return indices.size() / 3; }
 };
@@ -106,6 +122,8 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Sphere> spheres;
+  std::vector<SdfTree> sdfs;
+  std::optional<GlslSource> glsl;  ///< only the GL renderer shows it
   std::vector<Object> objects;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
@@ -115,7 +133,7 @@ struct Scene {
   LoadReport report;
 };
 
-/// World bounds of all instances and spheres.
+/// World bounds of all instances, spheres and bounded distance fields.
 Bounds bounds_of(const Scene& scene);
 Bounds bounds_of(const Scene& scene, const Instance& instance);
 

@@ -1,9 +1,11 @@
+#include "scene/sdf_schema.h"
 #include "scene/starter.h"
 
 namespace penumbra {
 
-std::string_view scene_schema() {
-  return R"json({
+namespace {
+
+constexpr std::string_view before_sdf = R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "Penumbra scene",
   "description": "Right-handed frame, Y up, metres, linear sRGB. Scene files may hold // and /* */ comments.",
@@ -85,13 +87,15 @@ std::string_view scene_schema() {
     "object": {
       "type": "object",
       "required": ["type"],
-      "properties": {"type": {"enum": ["quad", "sphere", "box", "polygon", "mesh"]}},
+      "properties": {"type": {"enum": ["quad", "sphere", "box", "polygon", "mesh", "sdf", "glsl"]}},
       "oneOf": [
         {"$ref": "#/$defs/quad_object"},
         {"$ref": "#/$defs/sphere_object"},
         {"$ref": "#/$defs/box_object"},
         {"$ref": "#/$defs/polygon_object"},
-        {"$ref": "#/$defs/mesh_object"}
+        {"$ref": "#/$defs/mesh_object"},
+        {"$ref": "#/$defs/sdf_object"},
+        {"$ref": "#/$defs/glsl_object"}
       ]
     },
     "quad_object": {
@@ -149,6 +153,28 @@ std::string_view scene_schema() {
         "material": {"$ref": "#/$defs/text"}
       }
     },
+    "sdf_object": {
+      "additionalProperties": false,
+      "required": ["type", "root", "material"],
+      "properties": {
+        "type": {"const": "sdf"},
+        "name": {"$ref": "#/$defs/text"},
+        "root": {"$ref": "#/$defs/sdf_node"},
+        "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
+      }
+    },
+    "glsl_object": {
+      "additionalProperties": false,
+      "required": ["type", "file"],
+      "properties": {
+        "type": {"const": "glsl"},
+        "name": {"$ref": "#/$defs/text"},
+        "file": {"$ref": "#/$defs/file"}
+      }
+    },
+)json";
+
+constexpr std::string_view after_sdf = R"json(
     "transform": {
       "description": "Scaled, then turned about x, y and z in this order, then moved.",
       "type": "object",
@@ -254,6 +280,12 @@ std::string_view scene_schema() {
   }
 }
 )json";
+
+}  // namespace
+
+std::string_view scene_schema() {
+  static const std::string text = std::string(before_sdf).append(sdf_schema()).append(after_sdf);
+  return text;
 }
 
 }  // namespace penumbra

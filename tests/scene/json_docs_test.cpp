@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "json_support.h"
+#include "scene/sdf_schema.h"
 #include "scene/starter.h"
 
 namespace penumbra::test {
@@ -46,9 +47,16 @@ void collect_keys(const Json::Value& value, std::vector<std::string>& keys) {
 TEST(JsonDocs, ExamplesAreRead) {
   write_file(scratch().file("bunny.obj"), "v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
   write_file(scratch().file("planks.jpg"), "no picture");
+  write_file(scratch().file("blobs.glsl"), "float map(vec3 p) { return length(p) - 1.0; }");
   ASSERT_GE(examples().size(), 9u);
   for (const std::string& example : examples())
     EXPECT_EQ(error_of(whole(example)), "(no error)") << example;
+}
+
+TEST(JsonDocs, TablesOfDistanceFields) {
+  const std::string docs = manual();
+  for (const SdfKind kind : {SdfKind::shape, SdfKind::operation, SdfKind::transform})
+    EXPECT_THAT(docs, testing::HasSubstr(sdf_manual_rows(kind)));
 }
 
 TEST(JsonDocs, NameEveryKey) {

@@ -150,12 +150,10 @@ TEST(JsonMisuse, Objects) {
       with_object,
       {
           {R"({"type": "spher", "radius": 1})",
-           R"(2:10: unknown object type "spher"; did you mean "sphere"? (known: quad, sphere, box, polygon, mesh))"},
+           R"(2:10: unknown object type "spher"; did you mean "sphere"? (known: quad, sphere, box, polygon, mesh, sdf, glsl))"},
           {R"({"center": [0, 0, 0]})",
-           R"(2:1: missing key "type" in an object; add one of quad, sphere, box, polygon, mesh)"},
+           R"(2:1: missing key "type" in an object; add one of quad, sphere, box, polygon, mesh, sdf, glsl)"},
           {R"({"type": 3})", R"(2:10: "type" is a number; give a string)"},
-          {R"({"type": "sdf", "material": "floor", "root": {}})",
-           R"(2:10: distance-field objects ("sdf") are not supported yet by this version's triangle methods; use quad, sphere, box, polygon or mesh objects)"},
           {R"({"type": "sphere", "name": 4, "center": [0, 0, 0], "radius": 1, "material": "floor"})",
            R"(2:28: "name" is a number; give a string)"},
       });
@@ -277,9 +275,10 @@ TEST(JsonMisuse, UnknownMaterialWithoutAny) {
 }
 
 TEST(JsonMisuse, DeepNesting) {
-  EXPECT_EQ(error_of(std::string(100000, '[')),
-            "s.json:1:65: nested deeper than 64 levels; no scene needs that; look for a missing "
-            "bracket");
+  EXPECT_EQ(
+      error_of(std::string(100000, '[')),
+      "s.json:1:4097: nested deeper than 4096 levels; no scene needs that; look for a missing "
+      "bracket");
 }
 
 TEST(JsonMisuse, ZeroByte) {

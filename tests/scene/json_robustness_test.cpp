@@ -34,7 +34,12 @@ std::string rich_scene() {
       {"type": "box", "min": [1, 0, 0], "max": [2, 1, 1], "material": "m"},
       {"type": "polygon", "vertices": [[0,0,0],[4,0,0],[4,3,0],[3,3,0],[3,1,0],[1,1,0]], "material": "m"},
       {"type": "mesh", "file": "tri.obj", "transform": {"translate": [1, 2, 3],
-        "rotate_deg": [10, 20, 30], "scale": [1, 2, 3]}}],
+        "rotate_deg": [10, 20, 30], "scale": [1, 2, 3]}},
+      {"type": "sdf", "material": "m", "root": {"op": "smooth_union", "k": 0.1, "children": [
+        {"shape": "box", "min": [0, 0, 0], "max": [1, 1, 1], "material": "e"},
+        {"op": "mirror", "axes": "xz", "child": {"shape": "plane", "normal": [0, 1, 0], "offset": 2}},
+        {"op": "repeat", "spacing": [1, 0, 2], "limit": [3, 0, 1], "child": {"shape": "extrusion",
+          "half_height": 1, "profile": {"shape": "polygon", "vertices": [[0,0],[1,0],[0,1]]}}}]}}],
     "lights": [
       {"type": "sphere", "position": [1, 4, 1], "radius": 0.3, "radiance": [20, 20, 20]},
       {"type": "disk", "position": [0, 4, 0], "normal": [0, -1, 0], "radius": 0.4, "radiance": [1, 1, 1]},

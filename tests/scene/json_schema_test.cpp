@@ -158,5 +158,32 @@ void expect_closed(const Json::Value& value, const std::string& where) {
 
 TEST(JsonSchema, IsClosed) { expect_closed(schema(), ""); }
 
+std::string sdf_with_root(const Json::Value& root) {
+  return R"({"type": "sdf", "material": "floor", "root": )" + root.toStyledString() + "}";
+}
+
+Json::Value node_of(const SdfSignature& signature) {
+  Json::Value node;
+  node[signature.kind == SdfKind::shape ? "shape" : "op"] = signature.name;
+  return node;
+}
+
+TEST(JsonSchema, KeysOfEveryDistanceFieldNode) {
+  for (const SdfSignature& signature : sdf_signatures()) {
+    Json::Value node = node_of(signature);
+    node["unknown!"] = 0;
+    Names known = known_to_reader(with_object(sdf_with_root(node)));
+    known.erase(signature.kind == SdfKind::shape ? "op" : "shape");
+    EXPECT_EQ(known, keys_in_schema(definition(std::string("sdf_") + signature.name)))
+        << signature.name;
+  }
+}
+
+TEST(JsonSchema, EveryDistanceFieldNodeIsListed) {
+  EXPECT_EQ(definition("sdf_node")["oneOf"].size(), sdf_signatures().size());
+  for (const SdfSignature& signature : sdf_signatures())
+    EXPECT_TRUE(schema()["$defs"].isMember(std::string("sdf_") + signature.name));
+}
+
 }  // namespace
 }  // namespace penumbra::test

@@ -36,19 +36,33 @@ TEST(Load, MissingFile) {
 TEST(Load, UnknownExtension) {
   EXPECT_EQ(load_error("a.fbx"),
             "a.fbx: unknown file format \".fbx\"; known are .json, .gltf, .glb, .obj, .ply, "
-            ".ply.gz, .stl");
+            ".ply.gz, .stl, .glsl");
   EXPECT_EQ(load_error("a.obj.gz"),
             "a.obj.gz: unknown file format \".gz\"; known are .json, .gltf, .glb, .obj, .ply, "
-            ".ply.gz, .stl");
+            ".ply.gz, .stl, .glsl");
   EXPECT_EQ(load_error("scene"),
             "scene: the file name has no extension; known are .json, .gltf, .glb, .obj, .ply, "
-            ".ply.gz, .stl");
+            ".ply.gz, .stl, .glsl");
 }
 
-TEST(Load, DistanceFieldsAreRefusedByName) {
-  EXPECT_EQ(load_error("a.GLSL"),
-            "a.GLSL: distance-field shaders (.glsl) are not supported by this version; use a scene "
-            "of triangles and spheres");
+TEST(Load, AShaderAlone) {
+  const Scene scene = load_text("a.GLSL", "float map(vec3 p) { return length(p) - 1.0; }");
+  ASSERT_TRUE(scene.glsl);
+  EXPECT_EQ(scene.glsl->text, "float map(vec3 p) { return length(p) - 1.0; }");
+  ASSERT_EQ(scene.cameras.size(), 1u);
+  EXPECT_EQ(scene.cameras[0].position, Vec3(3.2f, 2.6f, 4.4f));
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_NEAR(scene.lights[0].angular_diameter, 0.1047198f, 1e-6f);
+  EXPECT_NEAR(length(scene.lights[0].direction), 1, 1e-6);
+}
+
+TEST(Load, AShaderWithoutMap) {
+  write_file(scratch().file("b.glsl"),
+             "// map(p)\nfloat bitmap(vec3 p) { return /* map(p) */ 1.0; }");
+  EXPECT_EQ(load_error("b.glsl"),
+            "b.glsl: the shader has no map and no mainImage; give it a float map(vec3 p), the "
+            "distance from p");
+  EXPECT_TRUE(load_text("c.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }").glsl);
 }
 
 TEST(Load, Folder) {

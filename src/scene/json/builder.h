@@ -25,7 +25,7 @@ struct Builder {
   std::map<std::string, std::uint32_t, std::less<>> materials{};  ///< index by name
   std::map<std::string, int> textures{};                ///< index by path; -1 = cannot be decoded
   std::map<std::string, Model> models{};                ///< by path: a file is read once
-  std::map<std::uint32_t, std::uint32_t> untextured{};  ///< copies of materials, for spheres
+  std::map<std::uint32_t, std::uint32_t> untextured{};  ///< copies of materials
   std::vector<Light> sphere_lights{};                   ///< from emissive sphere objects
 };
 
@@ -40,6 +40,9 @@ void read_objects(Builder& builder, const Json::Value& objects);
 /// The "material" of an object.
 std::uint32_t required_material(Builder& builder, ObjectReader& object);
 std::optional<std::uint32_t> optional_material(Builder& builder, ObjectReader& object);
+/// Analytic shapes have no texture coordinates: they take a copy of the material without texture.
+/// `things` names them in the warning.
+std::uint32_t untextured(Builder& builder, std::uint32_t material, std::string_view things);
 
 // The types of object; `object` is the index into Scene::objects.
 void read_quad(Builder& builder, ObjectReader& reader, std::uint32_t object);
@@ -47,6 +50,8 @@ void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object);
 void read_box(Builder& builder, ObjectReader& reader, std::uint32_t object);
 void read_polygon(Builder& builder, ObjectReader& reader, std::uint32_t object);
 void read_mesh(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_sdf(Builder& builder, ObjectReader& reader, std::uint32_t object);
+void read_glsl(Builder& builder, ObjectReader& reader, std::uint32_t object);
 
 /// Throws InputError at "edge_v" if "edge_u" and "edge_v" span no area.
 void refuse_parallel_edges(const ObjectReader& reader, const Vec3d& u, const Vec3d& v);

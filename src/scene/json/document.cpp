@@ -15,7 +15,8 @@ namespace {
 
 // The parser keeps some forty bytes for each byte of the densest text.
 constexpr std::uintmax_t largest_file = std::uintmax_t{32} << 20;
-constexpr int deepest_nesting = 64;
+// Distance fields nest by two brackets a level.
+constexpr int deepest_nesting = 4096;
 
 std::string read_text(const std::string& path) {
   std::error_code ignored;

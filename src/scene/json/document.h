@@ -16,7 +16,7 @@ namespace penumbra::json {
 class Document {
  public:
   /// Reads and parses the file. InputError for a file that cannot be read, is larger than 32 MiB,
-  /// nests deeper than 64 levels, breaks the syntax, or repeats a key.
+  /// nests deeper than 4096 brackets, breaks the syntax, or repeats a key.
   explicit Document(const std::string& path);
   /// The same with the text at hand; the file need not be there.
   Document(const std::string& path, std::string text);

@@ -11,13 +11,6 @@ namespace {
 // finish_scene takes no geometry beyond a million kilometres.
 constexpr double largest = 1e9, smallest = 1e-12, brightest = 1e12;
 
-struct Range {
-  double lo, hi;
-  std::string wanted;  // completes "give …"
-
-  bool holds(double x) const { return lo <= x && x <= hi; }
-};
-
 std::size_t past_digits(std::string_view s, std::size_t from) {
   return std::min(s.find_first_not_of("0123456789", from), s.size());
 }
@@ -52,6 +45,8 @@ double number(const At& at, const std::string& label, const Range& range) {
   return x;
 }
 
+}  // namespace
+
 double number(const At& at, const Range& range) {
   return number(at, fmt::format("\"{}\"", at.key), range);
 }
@@ -71,6 +66,8 @@ Vec3d triple(const At& at, const Range& each) {
 Vec3d triple_or_number(const At& at, const Range& each) {
   return at.value.isNumeric() ? Vec3d(number(at, each)) : triple(at, each);
 }
+
+namespace {
 
 const Range& in_space() {
   static const Range range{-largest, largest, "[x, y, z], three numbers of size at most 1e9"};

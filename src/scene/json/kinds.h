@@ -22,6 +22,17 @@ struct At {
 /// "a string", "an array" …
 std::string_view type_name(const Json::Value& value);
 
+/// What a number may be; `wanted` completes "give …".
+struct Range {
+  double lo, hi;
+  std::string wanted;
+
+  bool holds(double x) const { return lo <= x && x <= hi; }
+};
+double number(const At& at, const Range& range);
+Vec3d triple(const At& at, const Range& each);
+Vec3d triple_or_number(const At& at, const Range& each);
+
 // Lengths and coordinates end at 1e9 metres, emissions at 1e12.
 float positive(const At& at);              ///< 1e-12 to 1e9
 float unit_interval(const At& at);         ///< 0 to 1

@@ -75,4 +75,18 @@ std::optional<std::uint32_t> optional_material(Builder& builder, ObjectReader& o
   return material_named(builder, object, object.required("material", text));
 }
 
+std::uint32_t untextured(Builder& builder, std::uint32_t material, std::string_view things) {
+  std::vector<Material>& materials = builder.scene.materials;
+  if (!materials[material].diffuse_map.used()) return material;
+  const auto next = static_cast<std::uint32_t>(materials.size());
+  const auto [copy, is_new] = builder.untextured.try_emplace(material, next);
+  if (!is_new) return copy->second;
+  materials.push_back(Material(materials[material]));
+  materials.back().diffuse_map = {};
+  builder.scene.report.warnings.push_back(fmt::format(
+      "{} have no texture coordinates: the texture of material \"{}\" is left out there", things,
+      materials.back().name));
+  return next;
+}
+
 }  // namespace penumbra::json

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "base/rotation.h"
 #include "scene/json/builder.h"
 #include "scene/load.h"
 
@@ -12,15 +11,6 @@ namespace penumbra::json {
 namespace {
 
 Affine scaling(const Vec3d& s) { return {{s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}, {}}; }
-
-// Counter-clockwise about the axis, seen from its tip.
-Affine rotation(int axis, double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  const double c = std::cos(angle), s = std::sin(angle);
-  if (axis == 0) return {{1, 0, 0}, {0, c, s}, {0, -s, c}, {}};
-  if (axis == 1) return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}, {}};
-  return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}, {}};
-}
 
 // Scaled, then turned about x, y and z in this order, then moved.
 Affine read_transform(const Document& document, const Json::Value& value) {
@@ -31,8 +21,7 @@ Affine read_transform(const Document& document, const Json::Value& value) {
   reader.done();
   Affine moved;
   moved.t = translate;
-  return moved * rotation(2, degrees.z) * rotation(1, degrees.y) * rotation(0, degrees.x) *
-         scaling(factors);
+  return moved * rotation_deg(degrees) * scaling(factors);
 }
 
 template <class T>

@@ -47,6 +47,20 @@ void ObjectReader::refuse_key(std::string_view key, const std::string& what,
   throw InputError(document_.place(value ? *value : value_), what, remedy);
 }
 
+std::size_t ObjectReader::index_of_name(std::string_view key, std::string_view noun,
+                                        const std::vector<std::string_view>& names) {
+  const Json::Value* value = find(key);
+  if (!value)
+    refuse_key(key, fmt::format("missing key {} in {}", quoted(key), noun_),
+               fmt::format("add one of {}", fmt::join(names, ", ")));
+  const std::string name = text({document_, *value, key});
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    refuse_key(key, fmt::format("unknown {} {} at {}", noun, quoted(name), noun_),
+               suggest(name, names, List::yes));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
 std::string suggest(std::string_view name, const std::vector<std::string_view>& known, List list) {
   const std::string question = fmt::format("did you mean {}?", quoted(nearest_name(name, known)));
   return list == List::no ? question

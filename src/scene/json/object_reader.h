@@ -30,6 +30,13 @@ class ObjectReader {
   /// The value of a key, or null; the key counts as known from then on.
   const Json::Value* find(std::string_view key);
 
+  /// Counts the key as required and missing.
+  void miss(std::string_view key) { missing_.push_back(key); }
+  /// Which of `names` the text under `key` is; InputError with the nearest if it is none of them.
+  /// `noun` names such a thing in messages.
+  std::size_t index_of_name(std::string_view key, std::string_view noun,
+                            const std::vector<std::string_view>& names);
+
   /// Throws InputError for a key that was not asked for, with the nearest that was, or else for a
   /// required key that is missing.
   void done() const;

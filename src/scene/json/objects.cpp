@@ -6,22 +6,10 @@
 namespace penumbra::json {
 namespace {
 
-// Triangles and spheres are all that the shadow methods of this version take.
-void refuse_sdf(ObjectReader& reader) {
-  const Json::Value* type = reader.find("type");
-  if (type && *type == "sdf")
-    reader.refuse_key("type",
-                      "distance-field objects (\"sdf\") are not supported yet by this version's "
-                      "triangle methods",
-                      "use quad, sphere, box, polygon or mesh objects");
-}
-
 using ObjectFunction = void (*)(Builder&, ObjectReader&, std::uint32_t);
-constexpr TypeEntry<ObjectFunction> object_types[] = {{"quad", read_quad},
-                                                      {"sphere", read_sphere},
-                                                      {"box", read_box},
-                                                      {"polygon", read_polygon},
-                                                      {"mesh", read_mesh}};
+constexpr TypeEntry<ObjectFunction> object_types[] = {
+    {"quad", read_quad}, {"sphere", read_sphere}, {"box", read_box},  {"polygon", read_polygon},
+    {"mesh", read_mesh}, {"sdf", read_sdf},       {"glsl", read_glsl}};
 
 std::string name_of(ObjectReader& reader, std::size_t index) {
   const std::string kind = reader.noun().substr(reader.noun().find(' ') + 1);
@@ -36,7 +24,6 @@ void read_objects(Builder& builder, const Json::Value& objects) {
   for (const Json::Value& value : objects) {
     throw_if_cancelled();
     ObjectReader reader(builder.document, value, "an object");
-    refuse_sdf(reader);
     const ObjectFunction read = choose_by_type(reader, object_types);
     const std::size_t index = scene.objects.size();
     scene.objects.push_back({name_of(reader, index)});

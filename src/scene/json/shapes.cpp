@@ -26,6 +26,7 @@ Mesh box_mesh(const Vec3& lo, const Vec3& hi) {
   append_quad(mesh, a, z, y);           // -x
   append_quad(mesh, a + y + z, x, -z);  // +y
   append_quad(mesh, a, x, z);           // -y
+  mesh.exact = ExactBox{lo, hi};
   return mesh;
 }
 
@@ -61,22 +62,6 @@ void turn_into_light(Builder& builder, const Sphere& sphere) {
   builder.sphere_lights.push_back(std::move(light));
 }
 
-// Analytic spheres have no texture coordinates: they take a copy of the material without texture.
-std::uint32_t untextured(Builder& builder, const Sphere& sphere) {
-  std::vector<Material>& materials = builder.scene.materials;
-  if (!materials[sphere.material].diffuse_map.used()) return sphere.material;
-  const auto next = static_cast<std::uint32_t>(materials.size());
-  const auto [copy, is_new] = builder.untextured.try_emplace(sphere.material, next);
-  if (!is_new) return copy->second;
-  materials.push_back(Material(materials[sphere.material]));
-  materials.back().diffuse_map = {};
-  builder.scene.report.warnings.push_back(
-      fmt::format("sphere objects have no texture coordinates: the texture of material \"{}\" is "
-                  "left out there",
-                  materials.back().name));
-  return next;
-}
-
 }  // namespace
 
 void refuse_parallel_edges(const ObjectReader& reader, const Vec3d& u, const Vec3d& v) {
@@ -94,6 +79,7 @@ void read_quad(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   refuse_parallel_edges(reader, u, v);
   Mesh mesh;
   append_quad(mesh, corner, u, v);
+  mesh.exact = ExactQuad{Vec3(corner), Vec3(u), Vec3(v)};
   add_mesh(builder, std::move(mesh), material, object);
 }
 
@@ -106,7 +92,7 @@ void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   reader.done();
   if (max_component(builder.scene.materials[sphere.material].emission) > 0)
     return turn_into_light(builder, sphere);
-  sphere.material = untextured(builder, sphere);
+  sphere.material = untextured(builder, sphere.material, "sphere objects");
   builder.scene.spheres.push_back(sphere);
 }
 
@@ -134,6 +120,7 @@ void read_polygon(Builder& builder, ObjectReader& reader, std::uint32_t object) 
   for (const Vec3d& p : vertices) mesh.positions.emplace_back(p);
   map_in_metres(mesh, vertices, cut.normal);
   mesh.indices = std::move(cut.indices);
+  mesh.exact = ExactPolygon{mesh.positions};
   add_mesh(builder, std::move(mesh), material, object);
 }
 

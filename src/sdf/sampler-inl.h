@@ -1,0 +1,138 @@
+// The field at sixteen points: finds their cells and runs each cell's code once. Included once per
+// SIMD target.
+#if defined(PENUMBRA_SDF_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PENUMBRA_SDF_SAMPLER_INL_H
+#undef PENUMBRA_SDF_SAMPLER_INL_H
+#else
+#define PENUMBRA_SDF_SAMPLER_INL_H
+#endif
+
+#include <bit>
+#include <vector>
+
+#include "sdf/field_data.h"
+#include "sdf/interpret-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace penumbra::sdf::HWY_NAMESPACE {
+
+/// Memory for slots, one a thread.
+template <class A>
+Slots<A> slots_for(const Tape& tape) {
+  struct alignas(64) Unit {
+    float f[16];
+  };
+  thread_local std::vector<Unit> memory;
+  constexpr std::size_t per_value = sizeof(A) / sizeof(Unit), per_point = sizeof(P) / sizeof(Unit);
+  const std::size_t units = tape.value_slots * per_value + tape.point_slots * per_point + 1;
+  if (memory.size() < units) memory.resize(units);
+  return {reinterpret_cast<A*>(memory.data()),
+          reinterpret_cast<P*>(memory.data() + tape.value_slots * per_value)};
+}
+
+class Sampler {
+ public:
+  explicit Sampler(const FieldData& field)
+      : field_(field), regions_(field.regions), slots_(slots_for<F>(field.tape)) {}
+
+  /// Lanes that are not active give anything. One copy of the machine for all callers.
+  HWY_NOINLINE F distance(const P& p, std::uint32_t active) {
+    Groups groups;
+    find(p, active, groups);
+    F result;
+    for (int i = 0;;) {
+      const Regions::Code& c = regions_.codes[groups.code[i]];
+      ValueMachine machine;
+      const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
+      result = i == 0 ? d : select(mask_of(groups.members[i]), d, result);
+      if (HWY_LIKELY(++i == groups.count)) return result;
+    }
+  }
+
+  /// Lanes with the same code; every active lane is in one group.
+  struct Groups {
+    int count = 0;
+    std::uint32_t code[16], members[16];
+
+    HWY_INLINE void add(std::uint32_t number, std::uint32_t which) {
+      for (int i = 0; i < count; ++i)
+        if (code[i] == number) {
+          members[i] |= which;
+          return;
+        }
+      code[count] = number, members[count++] = which;
+    }
+  };
+
+  HWY_INLINE void find(const P& p, std::uint32_t active, Groups& groups) const {
+    HWY_ALIGN std::int32_t cell[lanes];
+    const std::uint32_t inner = bits(cells_of(regions_.inner, p, cell)) & active;
+    std::uint32_t bricks = group(cell, inner, groups);
+    if (HWY_UNLIKELY(inner != active)) {
+      cells_of(regions_.outer, p, cell);
+      bricks |= group(cell, active & ~inner, groups);
+    }
+    if (HWY_UNLIKELY(bricks != 0)) enter_bricks(p, bricks, groups);
+  }
+
+ private:
+  // Adds the lanes by cell; gives those whose cell is a brick.
+  HWY_INLINE std::uint32_t group(const std::int32_t* cell, std::uint32_t left,
+                                 Groups& groups) const {
+    std::uint32_t bricks = 0;
+    while (left) {
+      const std::int32_t first = cell[std::countr_zero(left)];
+      const std::uint32_t here = same(cell, first) & left;
+      const std::uint32_t number = regions_.cells[static_cast<std::size_t>(first)];
+      if (number & Regions::brick_bit)
+        bricks |= here;
+      else
+        groups.add(number, here);
+      left &= ~here;
+    }
+    return bricks;
+  }
+
+  static HWY_INLINE std::uint32_t same(const std::int32_t* cell, std::int32_t value) {
+    const hn::RebindToSigned<D> d;
+    std::uint32_t r = 0;
+    for (int i = 0; i < vectors; ++i) {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, hn::Eq(hn::Load(d, cell + i * vector_lanes), hn::Set(d, value)), bytes);
+      r |= (bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8) << (i * vector_lanes);
+    }
+    return r;
+  }
+
+  // Index of each point's cell, 0 (the whole code) outside; the mask says which are inside.
+  HWY_INLINE M cells_of(const RegionGrid& g, const P& p, std::int32_t* cell) const {
+    const F x = floor((p.x - g.lo.x) * g.inverse), y = floor((p.y - g.lo.y) * g.inverse),
+            z = floor((p.z - g.lo.z) * g.inverse);
+    const auto nx = static_cast<float>(g.count[0]), ny = static_cast<float>(g.count[1]),
+               nz = static_cast<float>(g.count[2]);
+    const M in = (min(x, min(y, z)) >= F(0.0f)) & (x < F(nx)) & (y < F(ny)) & (z < F(nz));
+    const F index = select(in, mad(mad(z, ny, y), nx, x + static_cast<float>(g.first)), 0.0f);
+    const hn::RebindToSigned<D> di;
+    for (int i = 0; i < vectors; ++i)
+      hn::Store(hn::ConvertTo(di, index.v[i]), di, cell + i * vector_lanes);
+    return in;
+  }
+
+  HWY_NOINLINE void enter_bricks(const P& p, std::uint32_t left, Groups& groups) const {
+    HWY_ALIGN float x[lanes], y[lanes], z[lanes];
+    store(p.x, x), store(p.y, y), store(p.z, z);
+    for (; left; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      groups.add(region_of(regions_, {x[i], y[i], z[i]}), 1u << i);
+    }
+  }
+
+  const FieldData& field_;
+  const Regions& regions_;
+  Slots<F> slots_;
+};
+
+}  // namespace penumbra::sdf::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
