@@ -16,9 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kCommands{"render", "probe", "info", "new"};
 constexpr std::array<std::string_view, 5> kLaterCommands{"bake", "view", "compare", "export",
                                                          "diff"};
-constexpr std::array<std::string_view, 5> kFieldOptions{"--mint", "--steps", "--k", "--variant",
-                                                        "--bounds"};
-constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz or .stl";
+constexpr std::array<std::string_view, 1> kLaterOptions{"--bounds"};
+constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -108,10 +107,8 @@ std::vector<std::string> long_options(const CLI::App& command) {
 
 [[noreturn]] void refuse_option(const CLI::App& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
-  if (contains(kFieldOptions, name))
-    throw InputError(
-        fmt::format("{} belongs to distance fields, which are not in this version", name),
-        "leave it out");
+  if (contains(kLaterOptions, name))
+    throw InputError(fmt::format("{} is not in this version", name), "leave it out");
   if (!name.starts_with('-'))
     throw InputError(fmt::format("'{}' is one file too many", argument),
                      fmt::format("see penumbra {} --help", command.get_name()));

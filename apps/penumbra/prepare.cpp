@@ -21,7 +21,19 @@ bool is_idle(const std::string& option, const Arguments& a) {
   if (option == "--light-samples" || option == "--error") return kind != ShadowKind::area;
   if (option == "--profile" || option == "--composite" || option == "--tolerance")
     return kind != ShadowKind::parker;
+  if (option == "--mint" || option == "--steps" || option == "--k")
+    return kind < ShadowKind::sdf_classic;
   return false;
+}
+
+// Each variant belongs to one method.
+void check_variant(const Arguments& a) {
+  const ShadowKind kind = a.render.shadows.kind;
+  const SdfVariant variant = a.render.shadows.variant;
+  if (variant == SdfVariant::blog && kind != ShadowKind::sdf_classic)
+    throw InputError("--variant: blog is a variant of sdf-classic", "add --shadows sdf-classic");
+  if (variant == SdfVariant::abs && kind != ShadowKind::sdf_inner)
+    throw InputError("--variant: abs is a variant of sdf-inner", "add --shadows sdf-inner");
 }
 
 // A scene without lights is wanted as it is if its own were dropped on purpose: a stand-in keeps
@@ -51,6 +63,7 @@ std::string camera_remedy(const Scene& scene, const std::string& name) {
 }  // namespace
 
 void warn_of_idle_options(const Arguments& arguments, Console& console) {
+  check_variant(arguments);
   for (const std::string& option : arguments.given)
     if (is_idle(option, arguments))
       console.warn(fmt::format("{} has no effect {}", option,
