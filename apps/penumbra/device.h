@@ -7,7 +7,8 @@
 namespace penumbra::app {
 
 /// True if OpenGL is to draw the scene: asked for, or a shader that nothing else can show. Throws
-/// InputError if the chosen device cannot show it, or if a shader meets options that it cannot take.
+/// InputError if the chosen device cannot show it, or if a shader meets options that it cannot
+/// take.
 bool draws_with_gl(const Arguments& arguments, const Scene& scene);
 
 /// True if the scene is a shader whose own mainImage makes the picture.

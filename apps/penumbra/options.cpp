@@ -93,14 +93,11 @@ void add_field_options(CLI::App& command, Arguments& a) {
     add_value(command, a, name, value, shown, read, help)->group("Shadows");
   };
   add(
-      "--mint", "M", "0.01",
-      [&](auto& t) { shadows.mint = parse_number("--mint", t, 1e-6, 1e6); },
+      "--mint", "M", "0.01", [&](auto& t) { shadows.mint = parse_number("--mint", t, 1e-6, 1e6); },
       "sdf-*: where the march begins, metres from the point");
   add(
       "--steps", "N", "256",
-      [&](auto& t) {
-        shadows.steps = static_cast<int>(parse_integer("--steps", t, 1, 1 << 16));
-      },
+      [&](auto& t) { shadows.steps = static_cast<int>(parse_integer("--steps", t, 1, 1 << 16)); },
       "sdf-*: at most, of a march");
   add(
       "--k", "K", "", [&](auto& t) { shadows.k = parse_number("--k", t, 1e-6, 1e6); },
@@ -232,8 +229,7 @@ void add_picture_options(CLI::App& command, Arguments& a) {
       "--device", "NAME", "auto", [&](auto& t) { a.device = read_device(t); },
       "cpu, gl (OpenGL: distance fields) or auto: gl for .glsl, cpu for the rest");
   add(
-      "--time", "T", "0",
-      [&](auto& t) { a.render.time = parse_number("--time", t, -1e9, 1e9); },
+      "--time", "T", "0", [&](auto& t) { a.render.time = parse_number("--time", t, -1e9, 1e9); },
       "iTime of shaders, seconds");
   add(
       "--entry", "NAME", "auto",

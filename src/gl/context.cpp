@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <array>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -95,6 +96,7 @@ bool draws_floats() {
 }  // namespace
 
 Context::Context() {
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what fails is said here, in one line
   if (!epoxy_has_egl()) refuse();
   for (const Platform& platform : platforms()) {
     display_ = eglGetPlatformDisplayEXT(platform.platform, platform.native, nullptr);

@@ -43,6 +43,7 @@ RenderResult render_gl(const Scene& scene, const RenderOptions& options, Entry e
       },
       progress, patience);
   RenderResult result = render_result_from(bytes);
+  result.warnings.insert(result.warnings.begin(), field.warnings.begin(), field.warnings.end());
   if (result.stats.unfinished > 0)
     result.warnings.push_back(with_warning(options, result.stats.unfinished));
   return result;

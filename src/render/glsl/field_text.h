@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/glsl/user_shader.h"
 #include "scene/scene.h"
@@ -17,6 +18,7 @@ struct FieldText {
   bool glossy = false;    ///< some material has a glossy lobe
   bool mirrors = false;   ///< some material is a mirror
   Bounds box;             ///< where surfaces are looked for
+  std::vector<std::string> warnings;
 
   /// Runs the shader's mainImage.
   bool own_picture() const { return user && user->has_main_image; }
