@@ -10,7 +10,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new };
+enum class Command { render, probe, info, make_new, export_shader };
 
 enum class Device { automatic, cpu, gl };
 

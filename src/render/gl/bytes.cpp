@@ -69,7 +69,8 @@ void result(Stream& s, R& r) {
   s.list(r.visibility, [&](auto& i) { image(s, i); });
   s.list(r.warnings, [&](auto& text) { s.values(text); });
   auto& stats = r.stats;
-  s.value(stats.seconds_build), s.value(stats.seconds_render), s.value(stats.exposure_ev);
+  s.value(stats.seconds_build), s.value(stats.seconds_render), s.value(stats.exposure_ev),
+      s.value(stats.ambient);
   s.value(stats.field_steps), s.value(stats.unfinished), s.value(stats.primary_rays);
   s.values(stats.device);
 }

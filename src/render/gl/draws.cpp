@@ -57,7 +57,7 @@ std::vector<PictureDraw> picture_draws(const Scene& scene, const ShadowOptions& 
 void set_camera(gl::Program& program, const CameraRays& camera) {
   set(program, "pnb_eye", camera.origin());
   set(program, "pnb_forward", camera.forward());
-  set(program, "pnb_corner", camera.corner());
+  set(program, "pnb_aside", camera.corner());
   set(program, "pnb_step_x", camera.step_x());
   set(program, "pnb_step_y", camera.step_y());
   program.set("pnb_orthographic", camera.orthographic() ? 1 : 0);

@@ -60,6 +60,7 @@ std::unique_ptr<gl::Program> field_program(const FieldText& field,
   const Vec3 &lo = field.box.lo, &hi = field.box.hi;
   program->set("pnb_low", lo.x, lo.y, lo.z);
   program->set("pnb_high", hi.x, hi.y, hi.z);
+  program->set("pnb_reach", field.sun_reach);
   program->set("pnb_mint", shadows.mint);
   program->set("pnb_march_steps", shadows.steps);
   program->set("pnb_k", shadows.k.value_or(0.0f));

@@ -191,6 +191,7 @@ RenderResult PictureDrawer::draw(Progress& progress) {
   progress.finish();
   result.stats.seconds_build = seconds_since(build_start);
   result.stats.device = context_.renderer();
+  result.stats.ambient = ambient_;
   const auto start = Clock::now();
   progress.start("render", static_cast<std::uint64_t>(options_.height));
   BandSums sums(options_, result);

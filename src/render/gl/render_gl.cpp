@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "render/gl/bytes.h"
 #include "render/gl/picture.h"
+#include "render/glsl/export.h"
 #include "render/glsl/light_text.h"
 
 namespace penumbra {
@@ -60,6 +61,27 @@ ProbeAnswers probe_gl(const Scene& scene, const RenderOptions& options,
         return to_bytes(probe_field(context, scene, field, options, queries, told));
       },
       progress, patience));
+}
+
+std::string export_shadertoy(const Scene& scene, const RenderOptions& options,
+                             const std::string& source, Progress& progress,
+                             std::vector<std::string>& warnings) {
+  const FieldText field = field_text(scene, camera_of(scene, options), true);
+  warnings.insert(warnings.end(), field.warnings.begin(), field.warnings.end());
+  float exposure = options.exposure_ev.value_or(0.0f);
+  Vec3 ambient = scene.ambient;
+  if (!options.exposure_ev || scene.ambient_is_automatic) {
+    RenderOptions small;
+    small.width = small.height = small.spp = 1;
+    small.camera = options.camera;
+    small.time = options.time;
+    small.exposure_ev = options.exposure_ev;
+    small.shadows.kind = ShadowKind::none;
+    const RenderStats stats = render_gl(scene, small, Entry::map, progress).stats;
+    exposure = stats.exposure_ev;
+    ambient = stats.ambient;
+  }
+  return shadertoy_text(scene, field, options, exposure, ambient, source);
 }
 
 }  // namespace penumbra

@@ -21,4 +21,10 @@ ProbeAnswers probe_gl(const Scene& scene, const RenderOptions& options,
                       std::span<const ProbeQuery> queries, Progress& progress,
                       const gl::Patience& patience = {});
 
+/// A complete Shadertoy shader of the scene (glsl/export.h). Exposure and ambient light are found
+/// by drawing where the options or the file do not say them.
+std::string export_shadertoy(const Scene& scene, const RenderOptions& options,
+                             const std::string& source, Progress& progress,
+                             std::vector<std::string>& warnings);
+
 }  // namespace penumbra

@@ -8,6 +8,14 @@
 namespace penumbra {
 namespace {
 
+constexpr const char* kUniforms = R"(
+uniform vec3 pnb_low, pnb_high;  // nothing is looked for outside this box
+uniform int pnb_march_steps;     // of the published marches
+uniform float pnb_mint, pnb_k;   // where they begin; 1 / w, or 0: by the light's size
+uniform float pnb_reach;         // how far a sun's march goes at most
+
+)";
+
 std::string user_text(const UserShader& user) {
   std::string text;
   for (const std::string& channel : user.channels)
@@ -29,7 +37,7 @@ std::string field_functions(const FieldText& field, const std::vector<ShaderLigh
                             const ShadowOptions& shadows) {
   std::string text = field.generated;
   text += "\n#define PENUMBRA_MAP pnb_map\n#define PENUMBRA_STEPS pnb_march_steps\n";
-  text += "uniform int pnb_march_steps;\n\n";
+  text += kUniforms;
   text += shader_text("soft_shadow.glsl");
   text += '\n';
   text += light_functions(lights, horizon_by_centre(shadows));
@@ -37,6 +45,7 @@ std::string field_functions(const FieldText& field, const std::vector<ShaderLigh
   text += '\n';
   text += shader_text("trace.glsl");
   text += fraction_function(shadows);
+  text += shader_text("notes.glsl");
   if (field.glossy) text += shader_text("glossy.glsl");
   if (by_points(shadows)) text += shader_text("light_points.glsl");
   return text;

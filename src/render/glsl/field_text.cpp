@@ -11,7 +11,7 @@
 namespace penumbra {
 namespace {
 
-constexpr float kReach = 50;  // of the distance of what the camera looks at
+constexpr float kReach = 50, kSunReach = 10;  // of the distance of what the camera looks at
 
 const char* user_material(const UserShader& user) {
   return user.has_albedo ? "pnb_Material(clamp(albedo(p), 0.0, 1.0), vec3(0.0), vec3(0.0), "
@@ -36,9 +36,10 @@ std::string joined(const FieldText& field, bool shapes) {
       mine, choice);
 }
 
-Bounds looked_at(const Camera& camera) {
-  const Vec3 half(kReach * std::max(length(camera.look_at - camera.position), 1e-3f));
-  return {camera.look_at - half, camera.look_at + half};
+void look_around(const Camera& camera, FieldText& field) {
+  const float distance = std::max(length(camera.look_at - camera.position), 1e-3f);
+  field.box = {camera.look_at - Vec3(kReach * distance), camera.look_at + Vec3(kReach * distance)};
+  field.sun_reach = kSunReach * distance;
 }
 
 Bounds enlarged(Bounds box) {
@@ -78,7 +79,10 @@ FieldText field_text(const Scene& scene, const Camera& camera, bool prefer_map) 
       throw InputError({field.user->file}, "the shader has a mainImage and no map",
                        "give it a float map(vec3 p), or render its picture");
   }
-  field.box = is_bounded(scene) ? enlarged(bounds_of(scene)) : looked_at(camera);
+  if (is_bounded(scene))
+    field.box = enlarged(bounds_of(scene));
+  else
+    look_around(camera, field);
   field.generated = material_type();
   const bool shapes = sdf::has_shapes(scene);
   if (shapes) {

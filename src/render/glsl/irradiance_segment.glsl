@@ -2,8 +2,8 @@
 float pnb_segment_part(float h, float foot_height, float slope, float from, float till) {
   float h2 = h * h, d0 = h2 + from * from, d1 = h2 + till * till;
   // The difference of two arc tangents, as one.
-  float angle = pnb_angle(h2 + from * till, h * (till - from));
-  float level = 0.5 * (till / (h * d1) - from / (h * d0)) + 0.5 * angle / h2;
+  float turn = pnb_angle(h2 + from * till, h * (till - from));
+  float level = 0.5 * (till / (h * d1) - from / (h * d0)) + 0.5 * turn / h2;
   float rising = 0.5 * h * (till - from) * (till + from) / (d0 * d1);
   return foot_height * level + slope * rising;
 }

@@ -1,5 +1,5 @@
 // A picture: what the pixel's ray meets, and the light there.
-uniform vec3 pnb_eye, pnb_forward, pnb_corner, pnb_step_x, pnb_step_y;
+uniform vec3 pnb_eye, pnb_forward, pnb_aside, pnb_step_x, pnb_step_y;
 uniform int pnb_orthographic;
 uniform vec2 pnb_in_pixel;  // in the pixel, from its top left corner
 uniform vec3 pnb_ambient, pnb_background;
@@ -96,7 +96,7 @@ bool pnb_meet(vec3 ro, vec3 rd, int generation, inout float way, vec3 throughput
     return false;
   }
   q.to_viewer = -rd;
-  q.normal = pnb_normal(p, 1e-4 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
+  q.normal = pnb_normal(p, rd, 3e-5 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
   // Down to the surface along the ray: the field is flat over so short a way.
   float facing = -dot(q.normal, rd);
   if (facing > 0.05) t += pnb_last / facing;
@@ -123,7 +123,7 @@ bool pnb_meet(vec3 ro, vec3 rd, int generation, inout float way, vec3 throughput
 void main() {
   vec2 pixel = floor(gl_FragCoord.xy) + pnb_tile;
   vec2 xy = vec2(pixel.x, pnb_size.y - 1.0 - pixel.y) + pnb_in_pixel;
-  vec3 aside = pnb_corner + pnb_step_x * xy.x + pnb_step_y * xy.y;
+  vec3 aside = pnb_aside + pnb_step_x * xy.x + pnb_step_y * xy.y;
   vec3 ro = pnb_orthographic == 1 ? pnb_eye + aside : pnb_eye;
   vec3 rd = pnb_orthographic == 1 ? pnb_forward : normalize(pnb_forward + aside);
   vec3 throughput = vec3(1.0);

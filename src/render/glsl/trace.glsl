@@ -1,6 +1,4 @@
 // The field's surfaces.
-uniform vec3 pnb_low, pnb_high;  // nothing is looked for outside this box
-
 bool pnb_unfinished = false;  // a ray ran out of steps
 int pnb_steps = 0;            // of rays
 float pnb_last = 0.0;         // the field where pnb_trace ended
@@ -16,10 +14,10 @@ vec2 pnb_span(vec3 ro, vec3 rd) {
 
 // Distance to the first surface along the ray; -1 if there is none.
 float pnb_trace(vec3 ro, vec3 rd) {
-  vec2 span = pnb_span(ro, rd);
-  float t = span.x;
+  vec2 inside = pnb_span(ro, rd);
+  float t = inside.x;
   for (int i = 0; i < pnb_most_steps; ++i) {
-    if (t > span.y) return -1.0;
+    if (t > inside.y) return -1.0;
     pnb_last = pnb_map(ro + rd * t);
     ++pnb_steps;
     if (pnb_last <= 1e-5 * t) return t;
@@ -31,18 +29,23 @@ float pnb_trace(vec3 ro, vec3 rd) {
   return -1.0;
 }
 
-// Unit normal by central differences over e.
-vec3 pnb_normal(vec3 p, float e) {
+// Unit normal at p by central differences over e. On a sheet both sides look alike: there it is
+// taken a little before p on the ray.
+vec3 pnb_normal(vec3 p, vec3 rd, float e) {
   vec3 n = vec3(0.0);
-  for (int i = pnb_zero; i < 3; ++i) {
-    vec3 d = vec3(i == 0, i == 1, i == 2);
-    for (int s = pnb_zero; s < 2; ++s) {
-      float side = s == 0 ? 1.0 : -1.0;
-      n += side * d * pnb_map(p + side * e * d);
+  for (int i = pnb_zero; i < 12; ++i) {
+    if (i == 6) {
+      if (length(n) > 0.4 * e) break;
+      p -= 4.0 * e * rd;
+      n = vec3(0.0);
     }
+    int axis = i % 3;
+    vec3 d = vec3(axis == 0, axis == 1, axis == 2);
+    float side = i % 6 < 3 ? 1.0 : -1.0;
+    n += side * d * pnb_map(p + side * e * d);
   }
   float size = length(n);
-  return size > 0.0 ? n / size : vec3(0.0, 1.0, 0.0);
+  return size > 0.0 ? n / size : -rd;
 }
 
 // How far from its place a point may be by the rounding of its coordinates and of the field.
@@ -65,12 +68,4 @@ float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt) {
   }
   pnb_unfinished = true;
   return 0.0;
-}
-
-// What a person is told of this pixel, as one number: 1 the eye is in a solid, 2 the driver ended
-// loops, 4 a march ran out of steps; and 8 for every step.
-float pnb_notes(bool inside) {
-  bool unfinished = pnb_unfinished || penumbra_out_of_steps;
-  return (inside ? 1.0 : 0.0) + (pnb_loops_are_cut() ? 2.0 : 0.0) + (unfinished ? 4.0 : 0.0) +
-         8.0 * float(pnb_steps + penumbra_steps_taken);
 }

@@ -97,11 +97,11 @@ class SceneText {
       flat.push_back(dot(Vec3d(p) - origin, u));
       flat.push_back(dot(Vec3d(p) - origin, v));
     }
-    const std::string name = fmt::format("pnb_flat{}", flats_++);
+    const std::string name = fmt::format("pnb_outline{}", flats_++);
     field_.text += '\n' + outline_function(name + "_outline", flat);
     field_.text += fmt::format(
         "\nfloat {0}(vec3 p) {{  // {1}\n  vec3 q = (p - {2}) * mat3({3}, {4}, {5});\n"
-        "  return pnb_flat({0}_outline(q.xy), q.z);\n}}\n",
+        "  return pnb_sheet({0}_outline(q.xy), q.z);\n}}\n",
         name, comment(scene_.objects[instance.object].name), vector(origin), vector(u), vector(v),
         vector(w));
     add_shape(name + "(p)", instance.material, instance.object);

@@ -98,7 +98,7 @@ float pnb_extruded(float d, float z, float half_height) {
 vec2 pnb_revolved(vec3 p, float offset) { return vec2(length(p.xz) - offset, p.y); }
 
 // A flat outline in space: its distance in its own plane, the height over that.
-float pnb_flat(float d, float height) { return length(vec2(max(d, 0.0), height)); }
+float pnb_sheet(float d, float height) { return length(vec2(max(d, 0.0), height)); }
 
 float pnb_smooth_min(float a, float b, float k) {
   float h = max(k - abs(a - b), 0.0);
