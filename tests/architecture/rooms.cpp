@@ -14,10 +14,11 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"base", {}},
       {"image", {"base"}},
       {"scene", {"base", "image"}},
-      {"geometry", {"base", "image", "scene"}},
-      {"shadow", {"base", "image", "scene", "geometry"}},
-      {"render", {"base", "image", "scene", "geometry", "shadow"}},
-      {"apps", {"base", "image", "scene", "geometry", "shadow", "render"}},
+      {"sdf", {"base", "scene", "image"}},
+      {"geometry", {"base", "image", "scene", "sdf"}},
+      {"shadow", {"base", "image", "scene", "sdf", "geometry"}},
+      {"render", {"base", "image", "scene", "sdf", "geometry", "shadow"}},
+      {"apps", {"base", "image", "scene", "sdf", "geometry", "shadow", "render"}},
   };
   return rooms;
 }

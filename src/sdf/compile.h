@@ -1,0 +1,22 @@
+// A scene's field as a tape. Internal to the room.
+#pragma once
+
+#include <functional>
+
+#include "scene/scene.h"
+#include "sdf/tape.h"
+
+namespace penumbra::sdf {
+
+using MeshDistances =
+    std::function<std::shared_ptr<const MeshDistance>(const Scene&, std::size_t instance)>;
+
+struct CompileOptions {
+  bool only_distance_fields = false;  ///< leaves out spheres and meshes
+  MeshDistances mesh_distance;        ///< for instances that are not exact; null = left out
+};
+
+/// Writes no recursion on the stack: any depth. InputError for a field too large for a tape.
+Tape compile(const Scene& scene, const CompileOptions& options);
+
+}  // namespace penumbra::sdf

@@ -1,0 +1,163 @@
+#include "sdf/field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sdf/blend.h"
+#include "sdf/compile.h"
+#include "sdf/field_data.h"
+
+namespace penumbra::sdf {
+namespace {
+
+// Bounds of what the field holds, unbounded trees aside.
+Bounds bounds_in(const Scene& scene, const FieldOptions& options, bool& is_bounded) {
+  Bounds bounds;
+  for (const SdfTree& tree : scene.sdfs) {
+    const Bounds box = bounds_of(tree);
+    if (box.empty()) continue;
+    if (is_finite(box))
+      bounds.grow(box);
+    else
+      is_bounded = false;
+  }
+  if (options.only_distance_fields) return bounds;
+  for (const Sphere& s : scene.spheres) {
+    bounds.grow(s.center - Vec3(s.radius));
+    bounds.grow(s.center + Vec3(s.radius));
+  }
+  for (const Instance& instance : scene.instances) bounds.grow(bounds_of(scene, instance));
+  return bounds;
+}
+
+Bounds enlarged(Bounds box, float by) {
+  box.lo = box.lo - Vec3(by), box.hi = box.hi + Vec3(by);
+  return box;
+}
+
+// Where rays will be: the box enlarged by its diagonal, where marches towards a sun end, and
+// cameras and lights that are not far beyond.
+Bounds region_of_rays(const Scene& scene, const Bounds& bounds) {
+  Bounds box = enlarged(bounds, bounds.diagonal());
+  const Bounds most = enlarged(bounds, 6 * bounds.diagonal());
+  const auto reach = [&](const Vec3& p) { box.grow(max(min(p, most.hi), most.lo)); };
+  for (const Camera& camera : scene.cameras) reach(camera.position);
+  for (const Light& light : scene.lights)
+    if (light.type != LightType::sun) reach(light.position);
+  return box;
+}
+
+// Something for cells to lie in where nothing is bounded: about what the camera looks at.
+Bounds box_of_view(const Scene& scene) {
+  Bounds box{Vec3(-4), Vec3(4)};
+  if (scene.cameras.empty()) return box;
+  const Camera& camera = scene.cameras.front();
+  const float reach = length(camera.position - camera.look_at);
+  return {camera.look_at - Vec3(reach), camera.look_at + Vec3(reach)};
+}
+
+Regions regions_for(const FieldData& data, const Scene& scene, const FieldOptions& options) {
+  const bool has_box = !data.bounds.empty() && data.bounds.diagonal() > 0;
+  const Bounds box = has_box ? data.bounds : box_of_view(scene);
+  RegionLimits limits;
+  limits.bytes = options.region_bytes;
+  limits.enabled = options.prune;
+  return build_regions(data.tape, enlarged(box, 0.03f * box.diagonal()), region_of_rays(scene, box),
+                       limits);
+}
+
+struct Columns {
+  explicit Columns(std::size_t count) : x(count), y(count), z(count) {}
+  void set(std::size_t i, const Vec3& p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
+  std::vector<float> x, y, z;
+};
+
+}  // namespace
+
+Field::Field(const Scene& scene, const FieldOptions& options)
+    : data_(std::make_unique<FieldData>()) {
+  data_->tape = compile(scene, {options.only_distance_fields, options.mesh_distance});
+  data_->bounds = bounds_in(scene, options, data_->is_bounded);
+  data_->regions = regions_for(*data_, scene, options);
+}
+
+Field::~Field() = default;
+Field::Field(Field&&) noexcept = default;
+Field& Field::operator=(Field&&) noexcept = default;
+
+bool Field::empty() const { return data_->tape.code.empty(); }
+
+float Field::distance(const Vec3& p) const {
+  float d;
+  distance({&p, 1}, {&d, 1});
+  return d;
+}
+
+void Field::distance(std::span<const Vec3> points, std::span<float> out) const {
+  if (empty()) {
+    std::ranges::fill(out, std::numeric_limits<float>::infinity());
+    return;
+  }
+  Columns c(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) c.set(i, points[i]);
+  distances(*data_, c.x.data(), c.y.data(), c.z.data(), points.size(), out.data());
+}
+
+// Quilez, "normals for an SDF": four points of a tetrahedron.
+void Field::normal(std::span<const Vec3> points, std::span<Vec3> out, float step) const {
+  constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
+  Columns c(4 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 size = abs(points[i]);
+    const float e = step > 0 ? step : 1e-3f * std::max(max_component(size), 1e-3f);
+    for (std::size_t k = 0; k < 4; ++k)
+      c.set(4 * i + k, points[i] + Vec3(signs[k][0], signs[k][1], signs[k][2]) * e);
+  }
+  std::vector<float> d(4 * points.size());
+  distances(*data_, c.x.data(), c.y.data(), c.z.data(), d.size(), d.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vec3d sum;
+    for (std::size_t k = 0; k < 4; ++k)
+      sum += Vec3d(signs[k][0], signs[k][1], signs[k][2]) * double{d[4 * i + k]};
+    const double l = length(sum);
+    out[i] = l > 0 ? Vec3(sum / l) : Vec3{0, 1, 0};
+  }
+}
+
+void Field::owners(std::span<const Vec3> points, std::span<Owner> out) const {
+  Columns c(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) c.set(i, points[i]);
+  for (std::size_t i = 0; i < points.size(); i += 16) {
+    const std::size_t n = std::min<std::size_t>(16, points.size() - i);
+    std::uint32_t surface[16];
+    std::uint8_t blended[16];
+    sdf::owners(*data_, &c.x[i], &c.y[i], &c.z[i], n, surface, blended);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Surface& s = data_->tape.surfaces[surface[k]];
+      out[i + k] = {s.object, s.material, blended[k] != 0};
+    }
+  }
+}
+
+SurfaceAt Field::surface(const Vec3& p) const {
+  Owner owner;
+  owners({&p, 1}, {&owner, 1});
+  if (!owner.blended) return {owner.object, {{owner.material, 1.0f}}};
+  return blend_at(*data_, p);
+}
+
+const Bounds& Field::bounds() const { return data_->bounds; }
+bool Field::is_bounded() const { return data_->is_bounded; }
+const std::vector<std::string>& Field::warnings() const { return data_->tape.warnings; }
+std::size_t Field::code_size() const { return data_->tape.code.size(); }
+std::size_t Field::region_codes() const { return data_->regions.codes.size(); }
+
+std::size_t Field::memory_bytes() const {
+  std::size_t bytes =
+      sizeof(FieldData) + data_->tape.memory_bytes() + data_->regions.memory_bytes();
+  for (const auto& mesh : data_->tape.meshes) bytes += mesh->memory_bytes();
+  return bytes;
+}
+
+}  // namespace penumbra::sdf

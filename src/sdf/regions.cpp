@@ -1,0 +1,274 @@
+#include "sdf/regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <unordered_map>
+
+#include "base/parallel.h"
+
+namespace penumbra::sdf {
+namespace {
+
+constexpr int side = Regions::brick_side;
+constexpr int brick_cells = side * side * side;
+constexpr std::size_t short_enough = 8;  ///< words: a cell with no more is not cut further
+/// Bytes for each word of the whole code: small fields are not worth long preparation.
+constexpr std::size_t bytes_per_word = 2048;
+constexpr int most_levels = 2;  ///< of bricks
+
+/// Codes found so far, each once.
+class CodeStore {
+ public:
+  CodeStore(Regions& regions, const std::vector<Word>& whole) : regions_(regions) { add(whole); }
+
+  std::uint32_t add(const std::vector<Word>& code) {
+    std::size_t hash = code.size();
+    for (const Word w : code) hash = (hash ^ w) * 0x9e3779b97f4a7c15ull, hash ^= hash >> 29;
+    const std::lock_guard lock(mutex_);
+    auto& list = by_hash_[hash];
+    for (const std::uint32_t known : list) {
+      const Regions::Code& c = regions_.codes[known];
+      if (c.count == code.size() &&
+          std::equal(code.begin(), code.end(), regions_.words.begin() + c.begin))
+        return known;
+    }
+    const auto number = static_cast<std::uint32_t>(regions_.codes.size());
+    regions_.codes.push_back({static_cast<std::uint32_t>(regions_.words.size()),
+                              static_cast<std::uint32_t>(code.size())});
+    regions_.words.insert(regions_.words.end(), code.begin(), code.end());
+    list.push_back(number);
+    return number;
+  }
+
+  std::uint32_t add_brick(const std::uint32_t* cells) {
+    const std::lock_guard lock(mutex_);
+    const auto first = static_cast<std::uint32_t>(regions_.cells.size());
+    regions_.cells.insert(regions_.cells.end(), cells, cells + brick_cells);
+    return first | Regions::brick_bit;
+  }
+
+  bool is_full(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    return (regions_.cells.size() + regions_.words.size()) * 4 +
+               regions_.codes.size() * sizeof(Regions::Code) >
+           bytes;
+  }
+
+ private:
+  Regions& regions_;
+  std::mutex mutex_;
+  std::unordered_map<std::size_t, std::vector<std::uint32_t>> by_hash_;
+};
+
+/// Cells of a grid from `lo` up to `hi`, exclusive.
+struct Block {
+  int lo[3], hi[3];
+  bool is_cell() const { return hi[0] - lo[0] == 1 && hi[1] - lo[1] == 1 && hi[2] - lo[2] == 1; }
+};
+
+std::vector<Block> split(const Block& block) {
+  int parts[3];
+  for (int i = 0; i < 3; ++i) parts[i] = std::min(side, block.hi[i] - block.lo[i]);
+  std::vector<Block> blocks;
+  for (int z = 0; z < parts[2]; ++z)
+    for (int y = 0; y < parts[1]; ++y)
+      for (int x = 0; x < parts[0]; ++x) {
+        const int at[3] = {x, y, z};
+        Block part;
+        for (int i = 0; i < 3; ++i) {
+          const int length = block.hi[i] - block.lo[i];
+          part.lo[i] = block.lo[i] + length * at[i] / parts[i];
+          part.hi[i] = block.lo[i] + length * (at[i] + 1) / parts[i];
+        }
+        blocks.push_back(part);
+      }
+  return blocks;
+}
+
+struct Cube {
+  Vec3 center;
+  float radius;
+};
+
+class Builder {
+ public:
+  Builder(const Tape& tape, Regions& regions, CodeStore& store, const RegionLimits& limits)
+      : tape_(tape), regions_(regions), store_(store), limits_(limits) {}
+
+  void fill(const RegionGrid& grid) {
+    const Block whole{{0, 0, 0}, {grid.count[0], grid.count[1], grid.count[2]}};
+    std::vector<Block> blocks = split(whole);
+    std::vector<std::vector<Word>> codes = prune_all(tape_.code, cubes_of(grid, blocks));
+    parallel_for(blocks.size(), [&](std::size_t i) { fill(grid, blocks[i], codes[i]); });
+  }
+
+ private:
+  std::vector<Cube> cubes_of(const RegionGrid& grid, const std::vector<Block>& blocks) const {
+    std::vector<Cube> cubes;
+    for (const Block& b : blocks) {
+      Vec3 half;
+      Cube cube;
+      for (int i = 0; i < 3; ++i) {
+        half[i] = 0.5f * grid.size * static_cast<float>(b.hi[i] - b.lo[i]);
+        cube.center[i] = grid.lo[i] + grid.size * static_cast<float>(b.lo[i]) + half[i];
+      }
+      cube.radius = length(half);
+      cubes.push_back(cube);
+    }
+    return cubes;
+  }
+
+  std::vector<std::vector<Word>> prune_all(const std::vector<Word>& code,
+                                           const std::vector<Cube>& cubes) const {
+    std::vector<std::vector<Word>> codes(cubes.size());
+    std::vector<Ranges> ranges;
+    for (std::size_t first = 0; first < cubes.size(); first += 16) {
+      Cells cells;
+      for (std::size_t l = 0; l < 16; ++l) {
+        const Cube& cube = cubes[std::min(first + l, cubes.size() - 1)];
+        cells.x[l] = cube.center.x, cells.y[l] = cube.center.y, cells.z[l] = cube.center.z;
+        cells.radius[l] = cube.radius * 1.001f;
+      }
+      ranges_in(tape_, code, cells, ranges);
+      for (std::size_t l = 0; l < 16 && first + l < cubes.size(); ++l)
+        prune(tape_, code, ranges, static_cast<int>(l), codes[first + l]);
+    }
+    return codes;
+  }
+
+  void fill(const RegionGrid& grid, const Block& block, const std::vector<Word>& code) {
+    if (code.size() <= 1) return fill_with(grid, block, store_.add(code));
+    if (block.is_cell()) {
+      const Cube cube = cubes_of(grid, {block}).front();
+      return fill_with(grid, block, refined(cube.center, grid.size, code, 0));
+    }
+    const std::vector<Block> parts = split(block);
+    if (store_.is_full(limits_.bytes)) return fill_with(grid, block, store_.add(code));
+    const auto codes = prune_all(code, cubes_of(grid, parts));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      fill(grid, parts[i], is_worth_keeping(codes[i], code) ? codes[i] : code);
+  }
+
+  // Long codes that are hardly shorter than the one around them would only cost memory.
+  static bool is_worth_keeping(const std::vector<Word>& part, const std::vector<Word>& whole) {
+    return whole.size() < 16 || part.size() * 10 < whole.size() * 9;
+  }
+
+  void fill_with(const RegionGrid& grid, const Block& b, std::uint32_t entry) {
+    for (int z = b.lo[2]; z < b.hi[2]; ++z)
+      for (int y = b.lo[1]; y < b.hi[1]; ++y)
+        for (int x = b.lo[0]; x < b.hi[0]; ++x) top_entry(grid, x, y, z) = entry;
+  }
+  std::uint32_t& top_entry(const RegionGrid& grid, int x, int y, int z) {
+    return top_[grid.first +
+                static_cast<std::uint32_t>(x + grid.count[0] * (y + grid.count[1] * z))];
+  }
+
+  // The entry of a cell: its code, or a brick where smaller cells have shorter ones.
+  std::uint32_t refined(const Vec3& center, float size, const std::vector<Word>& code, int level) {
+    const std::uint32_t own = store_.add(code);
+    if (code.size() <= short_enough || level == most_levels || store_.is_full(limits_.bytes))
+      return own;
+    const float part = size / side;
+    std::vector<Cube> cubes;
+    for (int i = 0; i < brick_cells; ++i) {
+      const Vec3 at(static_cast<float>(i % side), static_cast<float>(i / side % side),
+                    static_cast<float>(i / (side * side)));
+      cubes.push_back(
+          {center + (at - Vec3(0.5f * (side - 1))) * part, 0.5f * part * std::sqrt(3.0f)});
+    }
+    const auto codes = prune_all(code, cubes);
+    if (std::ranges::all_of(codes, [&](const auto& c) { return c.size() == code.size(); }))
+      return own;
+    std::uint32_t entries[brick_cells];
+    for (std::size_t i = 0; i < brick_cells; ++i)
+      entries[i] = refined(cubes[i].center, part,
+                           is_worth_keeping(codes[i], code) ? codes[i] : code, level + 1);
+    return store_.add_brick(entries);
+  }
+
+  const Tape& tape_;
+  Regions& regions_;
+  CodeStore& store_;
+  const RegionLimits& limits_;
+
+ public:
+  std::uint32_t* top_ = nullptr;  ///< entries of both grids, apart from the growing list
+};
+
+RegionGrid grid_over(const Bounds& box, double cells, std::uint32_t first) {
+  RegionGrid grid;
+  const Vec3d size(box.size());
+  double edge = std::cbrt(size.x * size.y * size.z / cells);
+  edge = std::max(edge, max_component(size) / 128);
+  grid.lo = box.lo;
+  grid.size = static_cast<float>(edge);
+  grid.inverse = 1 / grid.size;
+  for (int i = 0; i < 3; ++i)
+    grid.count[i] = std::clamp(static_cast<int>(std::ceil(size[i] / edge)), 1, 128);
+  grid.first = first;
+  return grid;
+}
+
+std::uint32_t cell_count(const RegionGrid& grid) {
+  return static_cast<std::uint32_t>(grid.count[0] * grid.count[1] * grid.count[2]);
+}
+
+}  // namespace
+
+Regions build_regions(const Tape& tape, const Bounds& inner, const Bounds& outer,
+                      const RegionLimits& limits) {
+  Regions regions;
+  CodeStore store(regions, tape.code);
+  regions.cells = {0};
+  if (!limits.enabled || tape.code.size() <= 1) return regions;
+  const double cells = std::clamp(100.0 * static_cast<double>(tape.code.size()), 2e3, 3e4);
+  regions.inner = grid_over(inner, cells, 1);
+  regions.outer = grid_over(outer, cells / 2, 1 + cell_count(regions.inner));
+  const std::uint32_t top = regions.outer.first + cell_count(regions.outer);
+  regions.cells.resize(top);
+  std::vector<std::uint32_t> entries(top, 0);
+  RegionLimits fair = limits;
+  fair.bytes = std::min(limits.bytes, regions.cells.size() * 4 + tape.code.size() * bytes_per_word);
+  Builder builder(tape, regions, store, fair);
+  builder.top_ = entries.data();
+  builder.fill(regions.inner);
+  builder.fill(regions.outer);
+  std::ranges::copy(entries, regions.cells.begin());
+  regions.cells.shrink_to_fit(), regions.words.shrink_to_fit(), regions.codes.shrink_to_fit();
+  return regions;
+}
+
+std::uint32_t region_of(const Regions& regions, const Vec3& p) {
+  for (const RegionGrid* grid : {&regions.inner, &regions.outer}) {
+    const Vec3 at = (p - grid->lo) * grid->inverse;
+    bool inside = true;
+    for (int i = 0; i < 3; ++i)
+      inside = inside && at[i] >= 0 && at[i] < static_cast<float>(grid->count[i]);
+    if (!inside) continue;
+    Vec3 cell(std::floor(at.x), std::floor(at.y), std::floor(at.z));
+    std::uint32_t entry =
+        regions
+            .cells[grid->first + static_cast<std::uint32_t>(
+                                     static_cast<int>(cell.x) +
+                                     grid->count[0] * (static_cast<int>(cell.y) +
+                                                       grid->count[1] * static_cast<int>(cell.z)))];
+    Vec3 rest = at - cell;
+    while (entry & Regions::brick_bit) {
+      rest *= static_cast<float>(side);
+      int index[3];
+      for (int i = 0; i < 3; ++i) {
+        index[i] = std::min(static_cast<int>(rest[i]), side - 1);
+        rest[i] -= static_cast<float>(index[i]);
+      }
+      entry =
+          regions.cells[(entry & ~Regions::brick_bit) +
+                        static_cast<std::uint32_t>(index[0] + side * (index[1] + side * index[2]))];
+    }
+    return entry;
+  }
+  return 0;
+}
+
+}  // namespace penumbra::sdf
