@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "scene/scene.h"
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new };
+enum class Command { render, probe, info, make_new, export_shader };
+
+enum class Device { automatic, cpu, gl };
 
 /// One `--aov NAME=FILE.exr`.
 struct AovRequest {
@@ -19,12 +22,14 @@ struct AovRequest {
 
 struct Arguments {
   Command command = Command::render;
-  std::string scene;          ///< the scene file; of `new`, the file to write
-  std::string output;         ///< -o; empty = standard output (probe)
-  std::string points;         ///< probe: the CSV of points
-  std::string camera = "0";   ///< name or index
-  RenderOptions render;       ///< its camera is set once the scene is known
-  std::vector<Light> lights;  ///< --light
+  std::string scene;         ///< the scene file; of `new`, the file to write
+  std::string output;        ///< -o; empty = standard output (probe)
+  std::string points;        ///< probe: the CSV of points
+  std::string camera = "0";  ///< name or index
+  RenderOptions render;      ///< its camera is set once the scene is known
+  Device device = Device::automatic;
+  Entry entry = Entry::automatic;  ///< of a shader
+  std::vector<Light> lights;       ///< --light
   bool keep_scene_lights = true;
   float light_size = 1;
   std::vector<AovRequest> aovs;

@@ -13,12 +13,11 @@
 namespace penumbra::app {
 namespace {
 
-constexpr std::array<std::string_view, 4> kCommands{"render", "probe", "info", "new"};
-constexpr std::array<std::string_view, 5> kLaterCommands{"bake", "view", "compare", "export",
-                                                         "diff"};
-constexpr std::array<std::string_view, 5> kFieldOptions{"--mint", "--steps", "--k", "--variant",
-                                                        "--bounds"};
-constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz or .stl";
+// In the order of Command.
+constexpr std::array<std::string_view, 5> kCommands{"render", "probe", "info", "new", "export"};
+constexpr std::array<std::string_view, 4> kLaterCommands{"bake", "view", "compare", "diff"};
+constexpr std::array<std::string_view, 1> kLaterOptions{"--bounds"};
+constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -61,6 +60,17 @@ void add_probe(CLI::App& app, Arguments& a) {
   add_run_options(command, a);
 }
 
+void add_export(CLI::App& app, Arguments& a) {
+  CLI::App& command =
+      *app.add_subcommand("export", "Write a distance-field scene as a shader for Shadertoy");
+  add_file(command, "SCENE", a.scene, kScenes);
+  add_output(command, a, "OUT.glsl", "a shader with mainImage");
+  add_shadow_options(command, a);
+  add_light_options(command, a);
+  add_picture_options(command, a);
+  add_run_options(command, a);
+}
+
 void add_info(CLI::App& app, Arguments& a) {
   CLI::App& command = *app.add_subcommand("info", "Tell what was understood of a scene");
   add_file(command, "SCENE", a.scene, kScenes);
@@ -78,6 +88,7 @@ void build(CLI::App& app, Arguments& a) {
   app.require_subcommand(0, 1);
   add_render(app, a);
   add_probe(app, a);
+  add_export(app, a);
   add_info(app, a);
   add_new(app, a);
   app.footer(
@@ -108,10 +119,8 @@ std::vector<std::string> long_options(const CLI::App& command) {
 
 [[noreturn]] void refuse_option(const CLI::App& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
-  if (contains(kFieldOptions, name))
-    throw InputError(
-        fmt::format("{} belongs to distance fields, which are not in this version", name),
-        "leave it out");
+  if (contains(kLaterOptions, name))
+    throw InputError(fmt::format("{} is not in this version", name), "leave it out");
   if (!name.starts_with('-'))
     throw InputError(fmt::format("'{}' is one file too many", argument),
                      fmt::format("see penumbra {} --help", command.get_name()));
@@ -138,6 +147,8 @@ void check_complete(Arguments& a) {
                     a.command == Command::make_new ? "NAME.json" : "SCENE"));
   if (a.command == Command::render && a.output.empty())
     throw InputError("no output is named", "add -o OUT.png or -o OUT.exr");
+  if (a.command == Command::export_shader && a.output.empty())
+    throw InputError("no output is named", "add -o OUT.glsl");
   if (a.command == Command::probe && a.points.empty())
     throw InputError("no points are named", "add --points IN.csv");
 }

@@ -23,6 +23,8 @@ void run_command(Arguments& arguments, Console& console) {
       return run_render(arguments, console);
     case Command::probe:
       return run_probe(arguments, console);
+    case Command::export_shader:
+      return run_export(arguments, console);
     case Command::info:
       return run_info(arguments);
     case Command::make_new:

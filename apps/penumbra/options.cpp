@@ -15,15 +15,18 @@ namespace penumbra::app {
 namespace {
 
 using Names = std::span<const std::string_view>;
-constexpr std::array<std::string_view, 4> kShadows{"none", "hard", "area", "parker"};
-constexpr std::array<std::string_view, 4> kLaterShadows{"heckbert-herf", "sdf-classic",
-                                                        "sdf-improved", "sdf-inner"};
+// In the order of ShadowKind.
+constexpr std::array<std::string_view, 7> kShadows{
+    "none", "hard", "area", "parker", "sdf-classic", "sdf-improved", "sdf-inner"};
+constexpr std::array<std::string_view, 1> kLaterShadows{"heckbert-herf"};
+constexpr std::array<std::string_view, 3> kVariants{"published", "blog", "abs"};
+constexpr std::array<std::string_view, 3> kEntries{"auto", "map", "mainImage"};
 constexpr std::array<std::string_view, 3> kProfiles{"cubic", "sine", "linear"};
 constexpr std::array<std::string_view, 3> kComposites{"min", "multiply", "add"};
 constexpr std::array<std::string_view, 4> kAovs{"visibility", "depth", "normal", "error"};
-constexpr std::array<std::string_view, 2> kDevices{"auto", "cpu"};
+constexpr std::array<std::string_view, 3> kDevices{"auto", "cpu", "gl"};
 constexpr std::array<std::string_view, 7> kPictureOptions{
-    "--size", "--camera", "--spp", "--exposure", "--mirror-depth", "--aov", "--device"};
+    "--size", "--camera", "--spp", "--exposure", "--mirror-depth", "--aov", "--entry"};
 
 ShadowKind read_shadows(const std::string& text) {
   if (std::find(kLaterShadows.begin(), kLaterShadows.end(), text) != kLaterShadows.end())
@@ -77,11 +80,34 @@ void want_aov(const std::string& name, RenderOptions& options) {
   if (name == "error") options.want_error = true;
 }
 
-void read_device(const std::string& text) {
-  if (text == "gl" || text == "rays")
-    throw InputError(fmt::format("--device: {} is not in this version", text),
-                     "use " + listed(kDevices));
-  parse_choice("--device", text, kDevices);
+Device read_device(const std::string& text) {
+  if (text == "rays")
+    throw InputError("--device: rays is not in this version", "use " + listed(kDevices));
+  return static_cast<Device>(parse_choice("--device", text, kDevices));
+}
+
+void add_field_options(CLI::App& command, Arguments& a) {
+  ShadowOptions& shadows = a.render.shadows;
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    add_value(command, a, name, value, shown, read, help)->group("Shadows");
+  };
+  add(
+      "--mint", "M", "0.01", [&](auto& t) { shadows.mint = parse_number("--mint", t, 1e-6, 1e6); },
+      "sdf-*: where the march begins, metres from the point");
+  add(
+      "--steps", "N", "256",
+      [&](auto& t) { shadows.steps = static_cast<int>(parse_integer("--steps", t, 1, 1 << 16)); },
+      "sdf-*: at most, of a march");
+  add(
+      "--k", "K", "", [&](auto& t) { shadows.k = parse_number("--k", t, 1e-6, 1e6); },
+      "sdf-*: hardness, instead of the light's size: w = 1/K");
+  add(
+      "--variant", "NAME", "published",
+      [&](auto& t) {
+        shadows.variant = static_cast<SdfVariant>(parse_choice("--variant", t, kVariants));
+      },
+      "published; blog (sdf-classic: ratio after the step); abs (sdf-inner: steps of |h|)");
 }
 
 }  // namespace
@@ -113,7 +139,7 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
   };
   add(
       "--shadows", "METHOD", "parker", [&](auto& t) { shadows.kind = read_shadows(t); },
-      "none, hard, area (the reference) or parker");
+      "none, hard, area (the reference), parker, sdf-classic, sdf-improved or sdf-inner");
   add(
       "--light-samples", "N", "64",
       [&](auto& t) {
@@ -139,6 +165,7 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
       "--tolerance", "X", "0.02",
       [&](auto& t) { shadows.tolerance = parse_number("--tolerance", t, 0, 1); },
       "parker: allowed change of the visible fraction, 0 = exact");
+  add_field_options(command, a);
 }
 
 void add_light_options(CLI::App& command, Arguments& a) {
@@ -199,8 +226,15 @@ void add_picture_options(CLI::App& command, Arguments& a) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
   add(
-      "--device", "NAME", "auto", [&](auto& t) { read_device(t); },
-      "auto or cpu, which are the same in this version");
+      "--device", "NAME", "auto", [&](auto& t) { a.device = read_device(t); },
+      "cpu, gl (OpenGL: distance fields) or auto: gl for .glsl, cpu for the rest");
+  add(
+      "--time", "T", "0", [&](auto& t) { a.render.time = parse_number("--time", t, -1e9, 1e9); },
+      "iTime of shaders, seconds");
+  add(
+      "--entry", "NAME", "auto",
+      [&](auto& t) { a.entry = static_cast<Entry>(parse_choice("--entry", t, kEntries)); },
+      "of shaders: map, mainImage or auto, which takes mainImage if there is one");
 }
 
 void add_run_options(CLI::App& command, Arguments& a) {

@@ -23,12 +23,24 @@ std::string_view idle_with(const std::string& option, const Arguments& a) {
   const bool of_area = option == "--light-samples" || option == "--error";
   const bool of_parker =
       option == "--profile" || option == "--composite" || option == "--tolerance";
+  const bool of_fields = option == "--mint" || option == "--steps" || option == "--k";
+  if (of_fields && shadows.kind < ShadowKind::sdf_classic) return method;
   if (of_area && shadows.kind != ShadowKind::area) return method;
   if (of_parker && shadows.kind != ShadowKind::parker) return method;
   if (option == "--light-samples" && shadows.error) return "beside --error";
   if (option == "--tolerance" && shadows.composite != Composite::min)
     return "with this --composite";
   return {};
+}
+
+// Each variant belongs to one method.
+void check_variant(const Arguments& a) {
+  const ShadowKind kind = a.render.shadows.kind;
+  const SdfVariant variant = a.render.shadows.variant;
+  if (variant == SdfVariant::blog && kind != ShadowKind::sdf_classic)
+    throw InputError("--variant: blog is a variant of sdf-classic", "add --shadows sdf-classic");
+  if (variant == SdfVariant::abs && kind != ShadowKind::sdf_inner)
+    throw InputError("--variant: abs is a variant of sdf-inner", "add --shadows sdf-inner");
 }
 
 // A scene without lights is wanted as it is if its own were dropped on purpose: a stand-in keeps
@@ -58,6 +70,7 @@ std::string camera_remedy(const Scene& scene, const std::string& name) {
 }  // namespace
 
 void warn_of_idle_options(const Arguments& arguments, Console& console) {
+  check_variant(arguments);
   for (const std::string& option : arguments.given)
     if (const auto with = idle_with(option, arguments); !with.empty())
       console.warn(fmt::format("{} has no effect {}", option, with));

@@ -9,7 +9,8 @@
 
 namespace penumbra::app {
 
-/// Warns of options that have no effect on the chosen command and method.
+/// Warns of options that have no effect on the chosen command and method; throws InputError for a
+/// variant of another method.
 void warn_of_idle_options(const Arguments& arguments, Console& console);
 
 /// Loads the scene and applies the light options; repeats the load report on the console.

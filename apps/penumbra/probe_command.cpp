@@ -4,6 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "commands.h"
+#include "device.h"
 #include "outputs.h"
 #include "prepare.h"
 #include "probe_points.h"
@@ -17,10 +18,14 @@ constexpr std::size_t kPiece = 64;  // points between two looks at the clock
 struct Probed {
   std::vector<float> fractions;
   ShadowCounts counts;
+  std::string device;  // OpenGL's; empty = this processor
+  std::size_t structure_bytes = 0;
+  double build_seconds = 0;
 };
 
 Probed probe(const Shadows& shadows, const std::vector<ProbePoint>& points, Console& console) {
-  Probed result{std::vector<float>(points.size()), {}};
+  Probed result;
+  result.fractions.resize(points.size());
   std::mutex adding;
   console.start("probe", points.size());
   parallel_for((points.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
@@ -37,6 +42,31 @@ Probed probe(const Shadows& shadows, const std::vector<ProbePoint>& points, Cons
   return result;
 }
 
+Probed probe_on_cpu(const Scene& scene, const Arguments& arguments,
+                    const std::vector<ProbePoint>& points, Console& console) {
+  const Stopwatch build;
+  const std::unique_ptr<World> world = build_world(scene, arguments, console);
+  const double build_seconds = build.seconds();
+  Probed result = probe(Shadows(*world, arguments.render.shadows), points, console);
+  result.build_seconds = build_seconds;
+  result.structure_bytes = world->memory_bytes();
+  return result;
+}
+
+Probed probe_on_gl(const Scene& scene, Arguments& arguments, const std::vector<ProbePoint>& points,
+                   Console& console) {
+  adapt_to_gl(arguments, scene, console);
+  std::vector<ProbeQuery> queries;
+  for (const ProbePoint& point : points) queries.push_back({point.receiver, point.light});
+  ProbeAnswers answers = probe_gl(scene, arguments.render, queries, console);
+  if (answers.unfinished > 0)
+    console.warn(std::to_string(answers.unfinished) + " points have a march that ran out of steps");
+  Probed result;
+  result.fractions = std::move(answers.fractions);
+  result.device = answers.device;
+  return result;
+}
+
 void write_table(const Arguments& arguments, const CsvTable& table) {
   const std::string text = to_text(table);
   if (arguments.output.empty())
@@ -47,7 +77,7 @@ void write_table(const Arguments& arguments, const CsvTable& table) {
 
 }  // namespace
 
-void run_probe(const Arguments& arguments, Console& console) {
+void run_probe(Arguments& arguments, Console& console) {
   check_outputs(arguments);
   warn_of_idle_options(arguments, console);
   CsvTable table = parse_csv(read_file(arguments.points), arguments.points);
@@ -55,20 +85,20 @@ void run_probe(const Arguments& arguments, Console& console) {
   const Scene scene = prepare_scene(arguments, console);
   const double load_seconds = load.seconds();
   const std::vector<ProbePoint> points = points_of(table, arguments.points, scene.lights.size());
-  const Stopwatch build;
-  const std::unique_ptr<World> world = build_world(scene, arguments, console);
-  const double build_seconds = build.seconds();
   const Stopwatch work;
-  const Probed probed = probe(Shadows(*world, arguments.render.shadows), points, console);
-  const double probe_seconds = work.seconds();
+  const Probed probed = draws_with_gl(arguments, scene)
+                            ? probe_on_gl(scene, arguments, points, console)
+                            : probe_on_cpu(scene, arguments, points, console);
+  const double probe_seconds = work.seconds() - probed.build_seconds;
   set_visible_fractions(table, probed.fractions);
   write_table(arguments, table);
   if (arguments.stats.empty()) return;
-  Json::Value stats = common_stats(arguments, scene, *world);
+  Json::Value stats = common_stats(arguments, scene, probed.structure_bytes);
   stats["seconds"]["load"] = load_seconds;
-  stats["seconds"]["build"] = build_seconds;
+  stats["seconds"]["build"] = probed.build_seconds;
   stats["seconds"]["probe"] = probe_seconds;
   stats["points"] = static_cast<Json::UInt64>(points.size());
+  if (!probed.device.empty()) stats["device"] = probed.device;
   add_shadow_counts(stats, probed.counts);
   write_stats(arguments.stats, stats);
 }

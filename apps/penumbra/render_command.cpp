@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "commands.h"
+#include "device.h"
 #include "memory.h"
 #include "outputs.h"
 #include "prepare.h"
@@ -32,9 +33,9 @@ struct Phases {
   double load = 0, build = 0, write = 0;
 };
 
-Json::Value stats_of(const Arguments& arguments, const Scene& scene, const World& world,
+Json::Value stats_of(const Arguments& arguments, const Scene& scene, std::size_t structure_bytes,
                      const RenderStats& render, const Phases& phases) {
-  Json::Value json = common_stats(arguments, scene, world);
+  Json::Value json = common_stats(arguments, scene, structure_bytes);
   json["seconds"]["load"] = phases.load;
   json["seconds"]["build"] = phases.build + render.seconds_build;
   json["seconds"]["render"] = render.seconds_render;
@@ -46,7 +47,26 @@ Json::Value stats_of(const Arguments& arguments, const Scene& scene, const World
   json["size"].append(arguments.render.width);
   json["size"].append(arguments.render.height);
   json["samples_per_pixel"] = arguments.render.spp;
+  if (!render.device.empty()) {
+    json["device"] = render.device;
+    json["field"]["steps"] = static_cast<Json::UInt64>(render.field_steps);
+    json["field"]["unfinished_samples"] = static_cast<Json::UInt64>(render.unfinished);
+  }
   return json;
+}
+
+// Counts bytes of structures and seconds of building them.
+RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::size_t& bytes,
+                              Phases& phases, Console& console) {
+  if (draws_with_gl(arguments, scene)) {
+    adapt_to_gl(arguments, scene, console);
+    return render_gl(scene, arguments.render, arguments.entry, console);
+  }
+  const Stopwatch build;
+  const std::unique_ptr<World> world = build_world(scene, arguments, console);
+  phases.build = build.seconds();
+  bytes = world->memory_bytes();
+  return render(*world, arguments.render, console);
 }
 
 }  // namespace
@@ -63,10 +83,9 @@ void run_render(Arguments& arguments, Console& console) {
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);
-  const Stopwatch build;
-  const std::unique_ptr<World> world = build_world(scene, arguments, console);
-  phases.build = build.seconds();
-  const RenderResult result = render(*world, arguments.render, console);
+  std::size_t bytes = 0;
+  const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
+  for (const std::string& text : result.warnings) console.warn(text);
   console.remark(fmt::format("exposure: {:.2f} EV{}", result.stats.exposure_ev,
                              arguments.render.exposure_ev ? "" : " (from the scene)"));
   const Stopwatch write;
@@ -75,7 +94,7 @@ void run_render(Arguments& arguments, Console& console) {
   console.finish();
   phases.write = write.seconds();
   if (!arguments.stats.empty())
-    write_stats(arguments.stats, stats_of(arguments, scene, *world, result.stats, phases));
+    write_stats(arguments.stats, stats_of(arguments, scene, bytes, result.stats, phases));
 }
 
 }  // namespace penumbra::app

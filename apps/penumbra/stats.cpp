@@ -34,13 +34,14 @@ Json::Value scene_stats(const Arguments& arguments, const Scene& scene) {
 
 }  // namespace
 
-Json::Value common_stats(const Arguments& arguments, const Scene& scene, const World& world) {
+Json::Value common_stats(const Arguments& arguments, const Scene& scene,
+                         std::size_t structure_bytes) {
   Json::Value json;
   json["program"] = "penumbra " PENUMBRA_VERSION;
   for (const std::string& word : arguments.command_line) json["command_line"].append(word);
   json["threads"] = thread_count();
   json["scene"] = scene_stats(arguments, scene);
-  json["memory"]["structure_bytes"] = count(world.memory_bytes());
+  json["memory"]["structure_bytes"] = count(structure_bytes);
   return json;
 }
 

@@ -4,13 +4,14 @@
 #include <json/value.h>
 
 #include "arguments.h"
-#include "geometry/world.h"
 #include "render/render.h"
 
 namespace penumbra::app {
 
 /// What every command reports: program, command line, scene counts, threads, memory.
-Json::Value common_stats(const Arguments& arguments, const Scene& scene, const World& world);
+/// `structure_bytes`: of what was built to look things up.
+Json::Value common_stats(const Arguments& arguments, const Scene& scene,
+                         std::size_t structure_bytes);
 
 void add_shadow_counts(Json::Value& stats, const ShadowCounts& counts);
 

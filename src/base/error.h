@@ -18,11 +18,17 @@ struct Place {
 /// "FILE:LINE:COLUMN: " or as much of it as is known; empty if there is no file.
 std::string to_string(const Place& place);
 
+/// The line of an error that was made elsewhere (another process).
+struct Told {
+  std::string line;
+};
+
 /// Common base; what() is one line without newlines: "PLACE: what is wrong; what to do".
 class Error : public std::runtime_error {
  public:
   Error(const Place& place, const std::string& what, const std::string& remedy);
   Error(const std::string& what, const std::string& remedy) : Error(Place{}, what, remedy) {}
+  explicit Error(const Told& told) : std::runtime_error(told.line) {}
 };
 
 /// The call or its input is wrong: exit status 2.

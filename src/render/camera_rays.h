@@ -23,6 +23,15 @@ class CameraRays {
   /// [i, i + 1) × [j, j + 1). An orthographic ray starts in the plane of the camera's position.
   CameraRay at(float x, float y) const;
 
+  // For shaders: the ray through (x, y) has aside = corner + step_x · x + step_y · y; it goes from
+  // origin along forward + aside, an orthographic one from origin + aside along forward.
+  const Vec3& origin() const { return origin_; }
+  const Vec3& forward() const { return forward_; }
+  const Vec3& corner() const { return corner_; }
+  const Vec3& step_x() const { return step_x_; }
+  const Vec3& step_y() const { return step_y_; }
+  bool orthographic() const { return orthographic_; }
+
  private:
   Vec3 origin_, corner_, step_x_, step_y_, forward_;
   float pixel_ = 0;  ///< size of a pixel: metres, or tangent of its angle at the axis

@@ -33,12 +33,8 @@ std::optional<float> exposure_for(std::vector<float> luminances) {
   return static_cast<float>(std::log2(shown_as / double(bright)));
 }
 
-struct Seen {
-  std::vector<float> all, lit, emission;
-};
-
-Seen look(const World& world, const CameraRays& camera, const DirectLight& lights,
-          const MaterialLookup& materials, const Vec3& ambient) {
+SeenLuminances look(const World& world, const CameraRays& camera, const DirectLight& lights,
+                    const MaterialLookup& materials, const Vec3& ambient) {
   ShadowOptions hard;
   hard.kind = ShadowKind::hard;
   const Shadows shadows(world, hard);
@@ -48,7 +44,7 @@ Seen look(const World& world, const CameraRays& camera, const DirectLight& light
   trace(world, materials, grid_rays(camera), points);
   PointShader().shade(lights, shadows, ambient, points, exposure_grid_width, radiance, nullptr,
                       counts);
-  Seen seen;
+  SeenLuminances seen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i].shading;
     const Vec3 unlit = ambient * (p.diffuse + p.specular);
@@ -65,15 +61,22 @@ Seen look(const World& world, const CameraRays& camera, const DirectLight& light
 
 float exposure_under(const World& world, const CameraRays& camera, const DirectLight& lights,
                      const MaterialLookup& materials, const Vec3& ambient) {
-  const Seen seen = look(world, camera, lights, materials, ambient);
-  const bool enough_lit = seen.lit.size() * 100 >= seen.all.size();
-  const auto by_surfaces = exposure_for(enough_lit && !seen.lit.empty() ? seen.lit : seen.all);
-  if (by_surfaces) return *by_surfaces;
-  if (const auto ev = exposure_for({luminance(world.scene().background)})) return *ev;
-  return exposure_for(seen.emission).value_or(0.0f);
+  return exposure_from(look(world, camera, lights, materials, ambient), world.scene().background);
 }
 
 }  // namespace
+
+float exposure_from(const SeenLuminances& seen, const Vec3& background) {
+  const bool enough_lit = seen.lit.size() * 100 >= seen.all.size();
+  const auto by_surfaces = exposure_for(enough_lit && !seen.lit.empty() ? seen.lit : seen.all);
+  if (by_surfaces) return *by_surfaces;
+  if (const auto ev = exposure_for({luminance(background)})) return *ev;
+  return exposure_for(seen.emission).value_or(0.0f);
+}
+
+Vec3 automatic_ambient(float exposure_ev) {
+  return Vec3(ambient_share * static_cast<float>(shown_as) * std::exp2(-exposure_ev));
+}
 
 Brightness find_brightness(const World& world, const CameraRays& camera, const DirectLight& lights,
                            const MaterialLookup& materials) {
@@ -81,7 +84,7 @@ Brightness find_brightness(const World& world, const CameraRays& camera, const D
   const Vec3 ambient = scene.ambient_is_automatic ? Vec3() : scene.ambient;
   const float ev = exposure_under(world, camera, lights, materials, ambient);
   if (!scene.ambient_is_automatic) return {ev, scene.ambient};
-  return {ev, Vec3(ambient_share * static_cast<float>(shown_as) * std::exp2(-ev))};
+  return {ev, automatic_ambient(ev)};
 }
 
 }  // namespace penumbra

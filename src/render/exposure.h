@@ -1,11 +1,24 @@
 // How bright to show a picture, from the scene and the camera alone.
 #pragma once
 
+#include <vector>
+
 #include "render/camera_rays.h"
 #include "render/direct_light.h"
 #include "render/material_lookup.h"
 
 namespace penumbra {
+
+/// Luminances of a coarse picture's pixels by what they show.
+struct SeenLuminances {
+  std::vector<float> all, lit;  ///< surfaces that reflect; those of them that a light reaches
+  std::vector<float> emission;  ///< surfaces that emit
+};
+
+/// The rule of find_brightness.
+float exposure_from(const SeenLuminances& seen, const Vec3& background);
+/// Ambient light where the file says nothing of it.
+Vec3 automatic_ambient(float exposure_ev);
 
 struct Brightness {
   float exposure_ev = 0;

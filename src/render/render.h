@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -21,6 +22,7 @@ struct RenderOptions {
   int camera = 0;                    ///< index into Scene::cameras
   ShadowOptions shadows;
   int mirror_depth = 5;  ///< reflections followed, 0 = none
+  float time = 0;        ///< of shaders: iTime, seconds
   bool want_visibility = false, want_depth = false, want_normal = false, want_error = false;
 };
 
@@ -31,6 +33,10 @@ struct RenderStats {
   std::uint64_t primary_rays = 0, mirror_rays = 0;
   ShadowCounts shadows;   ///< of the picture, without the exposure's few
   float exposure_ev = 0;  ///< given or chosen; display value = color · 2^EV
+  Vec3 ambient;           ///< OpenGL: radiance of the ambient light
+  std::string device;     ///< the OpenGL renderer's name; empty = this processor
+  std::uint64_t field_steps = 0;  ///< OpenGL: evaluations of the field along rays and marches
+  std::uint64_t unfinished = 0;   ///< OpenGL: samples with a march that ran out of steps
 };
 
 struct RenderResult {
@@ -42,6 +48,7 @@ struct RenderResult {
   Image error;   ///< 1 channel: estimated standard error of the pixel's visible fraction, the
                  ///< greatest over the lights; 0 for methods without sampling
   RenderStats stats;
+  std::vector<std::string> warnings;  ///< what a person should know of the picture
 };
 
 /// Renders world.scene(). Analytic lights light surfaces but are not seen themselves, neither

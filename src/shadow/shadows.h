@@ -14,7 +14,17 @@
 
 namespace penumbra {
 
-enum class ShadowKind : std::uint8_t { none, hard, area, parker };
+enum class ShadowKind : std::uint8_t {
+  none,
+  hard,
+  area,
+  parker,
+  sdf_classic,
+  sdf_improved,
+  sdf_inner
+};
+/// Of the published marches: blog is a variant of sdf_classic, abs of sdf_inner.
+enum class SdfVariant : std::uint8_t { published, blog, abs };
 enum class Profile : std::uint8_t { cubic, sine, linear };
 enum class Composite : std::uint8_t { min, multiply, add };
 
@@ -27,6 +37,10 @@ struct ShadowOptions {
   Profile profile = Profile::cubic;  ///< parker
   Composite composite = Composite::min;  ///< parker
   float tolerance = 0.02f;  ///< parker: allowed change of the visible fraction, 0 = exact
+  float mint = 0.01f;       ///< sdf_*: where the march begins, metres
+  int steps = 256;          ///< sdf_*: at most
+  std::optional<float> k;   ///< sdf_*: 1/w instead of the light's size
+  SdfVariant variant = SdfVariant::published;  ///< sdf_classic and sdf_inner
   std::uint32_t seed = 0;
 };
 

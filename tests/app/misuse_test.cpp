@@ -65,21 +65,26 @@ INSTANTIATE_TEST_SUITE_P(
     Names, RenderMisuse,
     ::testing::Values(
         Misuse{{"--shadows", "prker"},
-               "--shadows: 'prker' is unknown; did you mean parker? There "
-               "are none, hard, area or parker"},
-        Misuse{{"--shadows", "sdf-classic"},
-               "--shadows: sdf-classic is not in this version; use "
-               "none, hard, area or parker"},
+               "--shadows: 'prker' is unknown; did you mean parker? There are none, hard, area, "
+               "parker, sdf-classic, sdf-improved or sdf-inner"},
+        Misuse{{"--shadows", "heckbert-herf"},
+               "--shadows: heckbert-herf is not in this version; use none, hard, area, parker, "
+               "sdf-classic, sdf-improved or sdf-inner"},
+        Misuse{{"--variant", "blog"},
+               "--variant: blog is a variant of sdf-classic; add --shadows sdf-classic"},
+        Misuse{{"--shadows", "sdf-classic", "--variant", "abs"},
+               "--variant: abs is a variant of sdf-inner; add --shadows sdf-inner"},
         Misuse{
             {"--profile", "qubic"},
             "--profile: 'qubic' is unknown; did you mean cubic? There are cubic, sine or linear"},
         Misuse{{"--composite", "max"},
                "--composite: 'max' is unknown; did you mean min? There are min, multiply or add"},
-        Misuse{{"--device", "gl"}, "--device: gl is not in this version; use auto or cpu"},
+        Misuse{{"--device", "rays"}, "--device: rays is not in this version; use auto, cpu or gl"},
         Misuse{{"--shadow", "hard"}, "--shadow is no option of render; did you mean --shadows?"},
-        Misuse{{"--mint=0.1"},
-               "--mint belongs to distance fields, which are not in this version; "
-               "leave it out"},
+        Misuse{{"--mint=0"}, "--mint: 0 is out of range; give a number from 1e-06 to 1e+06"},
+        Misuse{{"--k", "-1"}, "--k: -1 is out of range; give a number from 1e-06 to 1e+06"},
+        Misuse{{"--steps", "0"}, "--steps: 0 is out of range; give a whole number from 1 to 65536"},
+        Misuse{{"--bounds", "9"}, "--bounds is not in this version; leave it out"},
         Misuse{{"other.json"}, "'other.json' is one file too many; see penumbra render --help"},
         Misuse{{"--camera", "frnt"},
                "--camera: the scene has no camera 'frnt'; did you mean "

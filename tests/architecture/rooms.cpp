@@ -12,13 +12,14 @@ const std::map<std::string, std::set<std::string>>& arrows() {
   static const std::map<std::string, std::set<std::string>> rooms = {
       {"include", {}},
       {"base", {}},
+      {"gl", {"base"}},
       {"image", {"base"}},
       {"scene", {"base", "image"}},
       {"sdf", {"base", "scene", "image"}},
       {"geometry", {"base", "image", "scene", "sdf"}},
       {"shadow", {"base", "image", "scene", "sdf", "geometry"}},
-      {"render", {"base", "image", "scene", "sdf", "geometry", "shadow"}},
-      {"apps", {"base", "image", "scene", "sdf", "geometry", "shadow", "render"}},
+      {"render", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow"}},
+      {"apps", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render"}},
   };
   return rooms;
 }

@@ -1,0 +1,33 @@
+// OpenGL without a display.
+#pragma once
+
+#include <string>
+
+namespace penumbra::gl {
+
+/// An OpenGL ES 3.0 context (or OpenGL 4.3 core, which takes the same shaders) made through EGL
+/// without window or display, current to the thread that made it. Graphics processors come before
+/// software; Mesa's surfaceless platform before the software device.
+///
+/// Drivers start threads: a process that is to fork must do so before it makes one.
+class Context {
+ public:
+  /// Throws WorkError if there is no driver, or none that draws into floats.
+  Context();
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// The driver's name for what draws, as "llvmpipe (LLVM 15.0.6, 256 bits)".
+  const std::string& renderer() const { return renderer_; }
+  /// Longest side of a framebuffer or texture, texels.
+  int longest_side() const { return longest_side_; }
+
+ private:
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+  std::string renderer_;
+  int longest_side_ = 0;
+};
+
+}  // namespace penumbra::gl

@@ -1,0 +1,99 @@
+#include "render/glsl/field_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "render/glsl/material_text.h"
+#include "sdf/glsl/generate.h"
+
+namespace penumbra {
+namespace {
+
+constexpr float kReach = 50, kSunReach = 10;  // of the distance of what the camera looks at
+
+const char* user_material(const UserShader& user) {
+  return user.has_albedo ? "pnb_Material(clamp(albedo(p), 0.0, 1.0), vec3(0.0), vec3(0.0), "
+                           "vec3(0.0), 1.0)"
+                         : "pnb_Material(vec3(0.8), vec3(0.0), vec3(0.0), vec3(0.0), 1.0)";
+}
+
+// pnb_map and pnb_material from the person's map, the scene's shapes or both.
+std::string joined(const FieldText& field, bool shapes) {
+  if (!shapes)
+    return fmt::format(
+        "\nfloat pnb_map(vec3 p) {{ return map(p); }}\n\n"
+        "pnb_Material pnb_material(vec3 p) {{\n  return {};\n}}\n",
+        user_material(*field.user));
+  const std::string mine = field.user ? "min(map(p), pnb_scene(p))" : "pnb_scene(p)";
+  const std::string choice =
+      field.user ? fmt::format("  if (map(p) < d) return {};\n", user_material(*field.user)) : "";
+  return fmt::format(
+      "\nfloat pnb_map(vec3 p) {{ return {}; }}\n\n"
+      "pnb_Material pnb_material(vec3 p) {{\n  float d;\n"
+      "  pnb_Material m = pnb_scene_material(p, d);\n{}  return m;\n}}\n",
+      mine, choice);
+}
+
+void look_around(const Camera& camera, FieldText& field) {
+  const float distance = std::max(length(camera.look_at - camera.position), 1e-3f);
+  field.box = {camera.look_at - Vec3(kReach * distance), camera.look_at + Vec3(kReach * distance)};
+  field.sun_reach = kSunReach * distance;
+}
+
+Bounds enlarged(Bounds box) {
+  const Vec3 diagonal(box.diagonal());
+  return {box.lo - diagonal, box.hi + diagonal};
+}
+
+bool is_bounded(const Scene& scene) {
+  return !scene.glsl && std::all_of(scene.sdfs.begin(), scene.sdfs.end(), [](const SdfTree& tree) {
+    const Bounds box = bounds_of(tree);
+    return box.empty() || is_finite(box);
+  });
+}
+
+void note_materials(const Scene& scene, FieldText& field) {
+  std::vector<std::uint32_t> used;
+  for (const SdfTree& tree : scene.sdfs)
+    for (const SdfNode& node : tree.nodes) used.push_back(node.material);
+  for (const Sphere& sphere : scene.spheres) used.push_back(sphere.material);
+  for (const Instance& instance : scene.instances) used.push_back(instance.material);
+  for (const std::uint32_t i : used) {
+    const Material& m = scene.materials[i];
+    field.glossy = field.glossy || m.is_metallic_roughness || max_component(m.specular) > 0;
+    field.mirrors = field.mirrors || max_component(m.mirror) > 0;
+  }
+}
+
+}  // namespace
+
+FieldText field_text(const Scene& scene, const Camera& camera, bool prefer_map) {
+  FieldText field;
+  if (scene.glsl) {
+    field.user = read_user_shader(scene.glsl->path, scene.glsl->text);
+    if (prefer_map && field.user->has_map) field.user->has_main_image = false;
+    if (field.own_picture()) return field;
+    if (!field.user->has_map)
+      throw InputError({field.user->file}, "the shader has a mainImage and no map",
+                       "give it a float map(vec3 p), or render its picture");
+  }
+  if (is_bounded(scene))
+    field.box = enlarged(bounds_of(scene));
+  else
+    look_around(camera, field);
+  field.generated = material_type();
+  const bool shapes = sdf::has_shapes(scene);
+  if (shapes) {
+    sdf::GlslField scene_field = sdf::generate_glsl(scene);
+    field.generated += material_functions(scene, field.warnings) + scene_field.text;
+    field.warnings.insert(field.warnings.end(), scene_field.warnings.begin(),
+                          scene_field.warnings.end());
+    note_materials(scene, field);
+  }
+  field.generated += joined(field, shapes);
+  return field;
+}
+
+}  // namespace penumbra

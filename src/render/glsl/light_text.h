@@ -1,0 +1,36 @@
+// Lights for shaders: as numbers and as text.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace penumbra {
+
+/// What shaders know of a light; the fields of pnb_Light in light.glsl.
+struct ShaderLight {
+  int type = 0;  ///< 0 point, 1 sphere, 2 disk, 3 rect, 4 segment, 5 sun
+  Vec3 position, normal, edge_u, edge_v, emission;
+  float radius = 0, sin2 = 0, diameter = 0;
+  Vec2 spot{0, 1};
+
+  static constexpr std::size_t packed_size = 24;
+  std::array<float, packed_size> packed() const;
+};
+
+/// The scene's lights. Throws InputError for mesh lights, which shaders do not have.
+std::vector<ShaderLight> shader_lights(const Scene& scene);
+
+/// pnb_Light, the irradiance of the types that are among the lights, and pnb_irradiance over them.
+/// `horizon_by_centre`: see Horizon::centre.
+std::string light_functions(std::span<const ShaderLight> lights, bool horizon_by_centre);
+
+/// Lights come in a uniform array, this many at a time.
+inline constexpr int lights_at_a_time = 4;
+/// pnb_light_at by the uniform vec4 pnb_lights[…].
+std::string lights_by_uniforms();
+
+}  // namespace penumbra

@@ -1,0 +1,71 @@
+// The field's surfaces.
+bool pnb_unfinished = false;  // a ray ran out of steps
+int pnb_steps = 0;            // of rays
+float pnb_last = 0.0;         // the field where pnb_trace ended
+
+const int pnb_most_steps = 1024;
+
+// Where the ray enters and leaves the box.
+vec2 pnb_span(vec3 ro, vec3 rd) {
+  vec3 d = mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+  vec3 a = (pnb_low - ro) / d, b = (pnb_high - ro) / d, lo = min(a, b), hi = max(a, b);
+  return vec2(max(max(lo.x, lo.y), max(lo.z, 0.0)), min(hi.x, min(hi.y, hi.z)));
+}
+
+// Distance to the first surface along the ray; -1 if there is none.
+float pnb_trace(vec3 ro, vec3 rd) {
+  vec2 inside = pnb_span(ro, rd);
+  float t = inside.x;
+  for (int i = 0; i < pnb_most_steps; ++i) {
+    if (t > inside.y) return -1.0;
+    pnb_last = pnb_map(ro + rd * t);
+    ++pnb_steps;
+    if (pnb_last <= 1e-5 * t) return t;
+    t += pnb_last;
+  }
+  // Along a surface for a thousand steps: it is seen if it is within a pixel or so.
+  if (pnb_last < 1e-3 * t) return t;
+  pnb_unfinished = true;
+  return -1.0;
+}
+
+// Unit normal at p by central differences over e. On a sheet both sides look alike: there it is
+// taken a little before p on the ray.
+vec3 pnb_normal(vec3 p, vec3 rd, float e) {
+  vec3 n = vec3(0.0);
+  for (int i = pnb_zero; i < 12; ++i) {
+    if (i == 6) {
+      if (length(n) > 0.4 * e) break;
+      p -= 4.0 * e * rd;
+      n = vec3(0.0);
+    }
+    int axis = i % 3;
+    vec3 d = vec3(axis == 0, axis == 1, axis == 2);
+    float side = i % 6 < 3 ? 1.0 : -1.0;
+    n += side * d * pnb_map(p + side * e * d);
+  }
+  float size = length(n);
+  return size > 0.0 ? n / size : -rd;
+}
+
+// How far from its place a point may be by the rounding of its coordinates and of the field.
+float pnb_epsilon(vec3 p) {
+  vec3 a = abs(p);
+  return 1e-5 * max(max(a.x, a.y), max(a.z, 1e-3 * length(pnb_high - pnb_low)));
+}
+
+// 1 if nothing stands between the surface point p and the distance maxt along rd.
+float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt) {
+  float e = pnb_epsilon(p), t = e;
+  vec3 ro = p + n * (2.0 * e);
+  maxt = min(maxt, pnb_span(ro, rd).y);
+  for (int i = 0; i < pnb_most_steps; ++i) {
+    if (t >= maxt) return 1.0;
+    float h = pnb_map(ro + rd * t);
+    ++pnb_steps;
+    if (h < e) return 0.0;
+    t += h;
+  }
+  pnb_unfinished = true;
+  return 0.0;
+}

@@ -1,0 +1,124 @@
+#include "sdf/glsl/generate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "sdf/glsl/numbers.h"
+#include "sdf/glsl/shader_text.h"
+#include "sdf/glsl/tree_text.h"
+
+namespace penumbra::sdf {
+namespace {
+
+std::string comment(const std::string& name) {
+  std::string text = name;
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == '\\') c = ' ';
+  return text;
+}
+
+class SceneText {
+ public:
+  explicit SceneText(const Scene& scene) : scene_(scene) {}
+
+  GlslField write() {
+    field_.text = sdf_shader_text("shapes.glsl");
+    for (std::size_t i = 0; i < scene_.sdfs.size(); ++i) add_tree(i);
+    for (const Sphere& s : scene_.spheres)
+      add_shape(fmt::format("pnb_sd_sphere(p - {}, {})", vector(Vec3d(s.center)), number(s.radius)),
+                s.material, s.object);
+    for (const Instance& instance : scene_.instances) add_mesh(instance);
+    field_.text += "\n// The whole field.\nfloat pnb_scene(vec3 p) {\n  float d = 1e30;\n" +
+                   values_ + "  return d;\n}\n";
+    field_.text +=
+        "\n// What it is made of at p, and its value.\n"
+        "pnb_Material pnb_scene_material(vec3 p, out float d) {\n  pnb_Material m, o;\n"
+        "  float e;\n  d = 1e30;\n" +
+        shades_ + "  return m;\n}\n";
+    return std::move(field_);
+  }
+
+ private:
+  void add_tree(std::size_t index) {
+    const SdfTree& tree = scene_.sdfs[index];
+    const std::string name = fmt::format("pnb_object{}", index);
+    TreeText text(tree, name, scene_.objects[tree.object].name, field_.warnings);
+    field_.text += text.value_functions();
+    values_ += fmt::format("  d = min(d, {}(p));\n", name);
+    if (text.has_one_material()) {
+      add_shade(name + "(p)", tree.nodes.back().material);
+      return;
+    }
+    field_.text += text.shade_functions();
+    shades_ += fmt::format("  e = {}_shade(p, o);\n  if (e < d) d = e, m = o;\n", name);
+  }
+
+  void add_shape(const std::string& value, std::uint32_t material, std::uint32_t object) {
+    values_ +=
+        fmt::format("  d = min(d, {});  // {}\n", value, comment(scene_.objects[object].name));
+    add_shade(value, material);
+  }
+
+  void add_shade(const std::string& value, std::uint32_t material) {
+    shades_ +=
+        fmt::format("  e = {};\n  if (e < d) d = e, m = pnb_material_of({});\n", value, material);
+  }
+
+  void add_mesh(const Instance& instance) {
+    const Mesh& mesh = scene_.meshes[instance.mesh];
+    if (const auto* box = std::get_if<ExactBox>(&mesh.exact)) {
+      const Vec3d lo(box->lo), hi(box->hi);
+      return add_shape(
+          fmt::format("pnb_sd_box(p - {}, {})", vector((lo + hi) * 0.5), vector((hi - lo) * 0.5)),
+          instance.material, instance.object);
+    }
+    if (const auto* q = std::get_if<ExactQuad>(&mesh.exact))
+      return add_outline({q->corner, q->corner + q->edge_u, q->corner + q->edge_u + q->edge_v,
+                          q->corner + q->edge_v},
+                         instance);
+    if (const auto* polygon = std::get_if<ExactPolygon>(&mesh.exact))
+      return add_outline(polygon->vertices, instance);
+    throw InputError(fmt::format("--device gl: the mesh \"{}\" has no formula", mesh.name),
+                     "use --device cpu, or spheres, boxes, quads, polygons and sdf objects");
+  }
+
+  // A flat polygon in its own frame: u along its first edge, w its normal.
+  void add_outline(const std::vector<Vec3>& vertices, const Instance& instance) {
+    const Vec3d origin(vertices[0]);
+    Vec3d normal;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      normal +=
+          cross(Vec3d(vertices[i]) - origin, Vec3d(vertices[(i + 1) % vertices.size()]) - origin);
+    const Vec3d w = normalize(normal), u = normalize(Vec3d(vertices[1]) - origin), v = cross(w, u);
+    std::vector<double> flat;
+    for (const Vec3& p : vertices) {
+      flat.push_back(dot(Vec3d(p) - origin, u));
+      flat.push_back(dot(Vec3d(p) - origin, v));
+    }
+    const std::string name = fmt::format("pnb_outline{}", flats_++);
+    field_.text += '\n' + outline_function(name + "_outline", flat);
+    field_.text += fmt::format(
+        "\nfloat {0}(vec3 p) {{  // {1}\n  vec3 q = (p - {2}) * mat3({3}, {4}, {5});\n"
+        "  return pnb_sheet({0}_outline(q.xy), q.z);\n}}\n",
+        name, comment(scene_.objects[instance.object].name), vector(origin), vector(u), vector(v),
+        vector(w));
+    add_shape(name + "(p)", instance.material, instance.object);
+  }
+
+  const Scene& scene_;
+  GlslField field_;
+  std::string values_, shades_;
+  int flats_ = 0;
+};
+
+}  // namespace
+
+bool has_shapes(const Scene& scene) {
+  return !scene.sdfs.empty() || !scene.spheres.empty() || !scene.instances.empty();
+}
+
+GlslField generate_glsl(const Scene& scene) { return SceneText(scene).write(); }
+
+}  // namespace penumbra::sdf

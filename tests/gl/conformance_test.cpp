@@ -1,0 +1,178 @@
+// Every shape and operator: the shader's field equals the processor's.
+#include <array>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "base/atomic_file.h"
+#include "gl/driver.h"
+#include "gl/program.h"
+#include "gl/target.h"
+#include "render/glsl/field_text.h"
+#include "scene/load.h"
+#include "sdf/field.h"
+#include "support/temporary_folder.h"
+
+namespace penumbra {
+namespace {
+
+constexpr int kSide = 32;  // points: its square
+
+struct Case {
+  const char* name;
+  const char* root;
+};
+
+#define BALL R"({"shape":"sphere","center":[0.2,0.1,0],"radius":0.5})"
+#define BRICK R"({"shape":"box","center":[-0.1,0,0.2],"half_size":[0.5,0.3,0.4]})"
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"sphere", BALL},
+      {"box", BRICK},
+      {"round_box", R"({"shape":"round_box","half_size":[0.5,0.3,0.4],"radius":0.1})"},
+      {"ellipsoid", R"({"shape":"ellipsoid","center":[0.1,0,0],"radii":[0.7,0.3,0.45]})"},
+      {"torus", R"({"shape":"torus","major_radius":0.6,"minor_radius":0.15})"},
+      {"capped_torus",
+       R"({"shape":"capped_torus","aperture_deg":110,"major_radius":0.6,"minor_radius":0.15})"},
+      {"capsule", R"({"shape":"capsule","from":[-0.4,0.1,0],"to":[0.5,0.2,0.3],"radius":0.2})"},
+      {"cylinder", R"({"shape":"cylinder","center":[0,0.1,0],"half_height":0.5,"radius":0.3})"},
+      {"capped_cone",
+       R"({"shape":"capped_cone","half_height":0.4,"radius_bottom":0.5,"radius_top":0.2})"},
+      {"cone", R"({"shape":"cone","apex":[0,0.5,0],"angle_deg":28,"height":0.9})"},
+      {"plane", R"({"shape":"plane","normal":[1,2,0.5],"offset":0.2})"},
+      {"hexagonal_prism", R"({"shape":"hexagonal_prism","radius":0.4,"half_height":0.3})"},
+      {"octahedron", R"({"shape":"octahedron","center":[0,0,0.1],"radius":0.6})"},
+      {"link", R"({"shape":"link","half_length":0.2,"major_radius":0.3,"minor_radius":0.1})"},
+      {"extrusion circle",
+       R"({"shape":"extrusion","profile":{"shape":"circle","radius":0.4},"half_height":0.3})"},
+      {"extrusion box",
+       R"({"shape":"extrusion","profile":{"shape":"box","half_size":[0.4,0.2]},"half_height":0.3})"},
+      {"extrusion polygon", R"({"shape":"extrusion","half_height":0.3,"profile":{"shape":"polygon",
+        "vertices":[[-0.5,-0.4],[0.5,-0.4],[0.5,0.4],[0,0],[-0.5,0.4]]}})"},
+      {"revolution circle",
+       R"({"shape":"revolution","profile":{"shape":"circle","radius":0.2},"offset":0.4})"},
+      {"revolution box",
+       R"({"shape":"revolution","profile":{"shape":"box","half_size":[0.1,0.3]},"offset":0.4})"},
+      {"revolution polygon", R"({"shape":"revolution","profile":{"shape":"polygon",
+        "vertices":[[0.1,-0.4],[0.5,0],[0.1,0.4]]}})"},
+      {"union", R"({"op":"union","children":[)" BALL "," BRICK "]}"},
+      {"intersection", R"({"op":"intersection","children":[)" BALL "," BRICK "]}"},
+      {"difference", R"({"op":"difference","children":[)" BRICK "," BALL "]}"},
+      {"smooth_union", R"({"op":"smooth_union","k":0.2,"children":[)" BALL "," BRICK "," BALL "]}"},
+      {"smooth_intersection",
+       R"({"op":"smooth_intersection","k":0.2,"children":[)" BALL "," BRICK "]}"},
+      {"smooth_difference",
+       R"({"op":"smooth_difference","k":0.2,"children":[)" BRICK "," BALL "]}"},
+      {"smooth_union of k 0", R"({"op":"smooth_union","k":0,"children":[)" BALL "," BRICK "]}"},
+      {"onion", R"({"op":"onion","thickness":0.05,"child":)" BALL "}"},
+      {"round", R"({"op":"round","radius":0.1,"child":)" BRICK "}"},
+      {"displace", R"({"op":"displace","amplitude":0.05,"frequency":[9,7,5],"child":)" BALL "}"},
+      {"translate", R"({"op":"translate","offset":[0.3,-0.2,0.1],"child":)" BRICK "}"},
+      {"rotate", R"({"op":"rotate","rotate_deg":[20,50,-35],"child":)" BRICK "}"},
+      {"scale", R"({"op":"scale","factor":1.5,"child":)" BRICK "}"},
+      {"scale unevenly", R"({"op":"scale","factor":[1.5,0.5,-0.8],"child":)" BALL "}"},
+      {"mirror", R"({"op":"mirror","axes":"xz","child":)" BALL "}"},
+      {"repeat", R"({"op":"repeat","spacing":[1.2,0,1.4],"child":)" BRICK "}"},
+      {"repeat to a limit",
+       R"({"op":"repeat","spacing":[0.5,0.9,0],"limit":[1,0,0],"child":)" BALL "}"},
+      {"repeat of repeat", R"({"op":"repeat","spacing":[2,0,0],"child":{"op":"repeat",
+        "spacing":[0,0.9,0],"limit":[0,1,0],"child":{"op":"rotate","rotate_deg":[0,0,30],
+        "child":)" BRICK "}}}"},
+      {"twist", R"({"op":"twist","rate":1.5,"child":)" BRICK "}"},
+      {"bend", R"({"op":"bend","rate":0.9,"child":)" BRICK "}"},
+      {"elongate", R"({"op":"elongate","half_size":[0.2,0.1,0],"child":)" BALL "}"},
+      {"union of slopes",
+       R"({"op":"union","children":[{"op":"twist","rate":2,"child":)" BRICK "}," BALL "]}"}};
+  return all;
+}
+
+std::string scene_text(const std::string& root, const std::string& others = "") {
+  return R"({"materials":{"a":{"diffuse":[1,1,1]}},"objects":[)" + others +
+         R"({"type":"sdf","material":"a","root":)" + root + "}]}";
+}
+
+Scene scene_of(const std::string& text) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "scene.json";
+  write_file(file, text);
+  return load_scene(file);
+}
+
+std::vector<Vec3> some_points() {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> in(-1.6f, 1.6f);
+  std::vector<Vec3> points(kSide * kSide);
+  for (Vec3& p : points) p = {in(random), in(random), in(random)};
+  return points;
+}
+
+// The shader's field at points: the generated text and a main of its own.
+std::vector<float> shader_field(const FieldText& field, const std::vector<Vec3>& points) {
+  return testing::drawn([&] {
+    gl::Program program("#version 300 es\nprecision highp float;\nuniform highp sampler2D t;\n" +
+                        field.generated +
+                        "out vec4 d;\nvoid main() {\n"
+                        "  d = vec4(pnb_map(texelFetch(t, ivec2(gl_FragCoord.xy), 0).xyz));\n}\n");
+    gl::Texture texture(kSide, kSide);
+    std::vector<float> texels;
+    for (const Vec3& p : points) texels.insert(texels.end(), {p.x, p.y, p.z, 0});
+    texture.write(kSide, kSide, texels);
+    texture.bind(0);
+    program.set("t", 0);
+    const gl::Target target(kSide, kSide, 1);
+    target.use();
+    program.draw(kSide, kSide);
+    std::vector<float> values;
+    const std::vector<float> pixels = target.read(0, kSide, kSide);
+    for (std::size_t i = 0; i < pixels.size(); i += 4) values.push_back(pixels[i]);
+    return values;
+  });
+}
+
+void expect_same_field(const Scene& scene) {
+  const std::vector<Vec3> points = some_points();
+  std::vector<float> expected(points.size());
+  sdf::Field(scene).distance(points, expected);
+  const std::vector<float> found = shader_field(field_text(scene, scene.cameras[0], true), points);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    ASSERT_NEAR(found[i], expected[i], 5e-6)
+        << points[i].x << ' ' << points[i].y << ' ' << points[i].z;
+}
+
+class Conformance : public testing::GlTest {};
+
+TEST(ConformanceCases, HaveEveryShapeAndOperator) {
+  std::set<SdfOp> seen;
+  for (const Case& c : cases()) {
+    const Scene scene = scene_of(scene_text(c.root));
+    for (const SdfNode& node : scene.sdfs[0].nodes) seen.insert(node.op);
+  }
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(sdf_op_count));
+}
+
+TEST_F(Conformance, FieldsAreEqual) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    expect_same_field(scene_of(scene_text(c.root)));
+  }
+}
+
+TEST_F(Conformance, WholeScenesAreEqual) {
+  expect_same_field(
+      scene_of(scene_text(BALL, R"({"type":"sphere","center":[-1,0,0],"radius":0.4,"material":"a"},
+      {"type":"box","min":[0.5,-1,0],"max":[1,-0.5,1],"material":"a"},
+      {"type":"quad","corner":[-1,-1,1],"edge_u":[2,0,0],"edge_v":[0.4,0,-2],"material":"a"},
+      {"type":"polygon","vertices":[[0,1,0],[1,1,0],[1,1,1],[0.6,1,0.3]],"material":"a"},)")));
+}
+
+TEST_F(Conformance, DeepTreesAreWritten) {
+  std::string root = BALL;
+  for (int i = 0; i < 1000; ++i)
+    root = R"({"op":"translate","offset":[0.001,0,0],"child":)" + root + "}";
+  expect_same_field(scene_of(scene_text(root)));
+}
+
+}  // namespace
+}  // namespace penumbra

@@ -1,0 +1,180 @@
+#include "render/gl/render_gl.h"
+
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "geometry/world.h"
+#include "gl/driver.h"
+#include "image/srgb.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/temporary_folder.h"
+
+namespace penumbra {
+namespace {
+
+Scene shader_scene(const std::string& text) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "a.glsl";
+  write_file(file, text);
+  return load_scene(file);
+}
+
+RenderOptions small(ShadowKind kind) {
+  RenderOptions options;
+  options.width = 96, options.height = 64;
+  options.spp = 1;
+  options.shadows.kind = kind;
+  return options;
+}
+
+RenderResult drawn_picture(const Scene& scene, const RenderOptions& options,
+                           Entry entry = Entry::automatic) {
+  Progress silent;
+  return render_gl(scene, options, entry, silent);
+}
+
+int code(float linear, float ev) { return srgb_encoder()(linear * std::exp2(ev)); }
+
+// Share of pixels that differ by more than 1/255 as shown.
+double difference(const RenderResult& a, const RenderResult& b) {
+  int far = 0;
+  for (std::size_t i = 0; i < a.color.data.size(); i += 3) {
+    int most = 0;
+    for (std::size_t c = i; c < i + 3; ++c)
+      most = std::max(most, std::abs(code(a.color.data[c], a.stats.exposure_ev) -
+                                     code(b.color.data[c], b.stats.exposure_ev)));
+    far += most > 1;
+  }
+  return 3.0 * far / static_cast<double>(a.color.data.size());
+}
+
+class RenderGl : public testing::GlTest {};
+
+// One sample in the middle of each pixel: no partly covered pixels, whose shares differ by little.
+TEST_F(RenderGl, PicturesEqualTheProcessors) {
+  Progress silent;
+  for (const char* name : {"table", "three-spheres"}) {
+    const Scene scene =
+        load_scene(std::string(PENUMBRA_SOURCE_DIR "/tests/data/oracle/") + name + ".json");
+    const World world(scene, false);
+    for (const ShadowKind kind : {ShadowKind::none, ShadowKind::hard, ShadowKind::area}) {
+      RenderOptions options = small(kind);
+      options.width = 192, options.height = 128;
+      options.shadows.light_samples = 4;
+      EXPECT_LT(difference(render(world, options, silent), drawn_picture(scene, options)), 0.001)
+          << name << ' ' << int(kind);
+    }
+  }
+}
+
+TEST_F(RenderGl, MaterialsEqualTheProcessors) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "scene.json";
+  write_file(file, R"({
+    "camera": {"position": [0, 2, 5], "look_at": [0, 0.4, 0]},
+    "materials": {"floor": {"diffuse": [0.4, 0.5, 0.6], "specular": 0.3, "roughness": 0.5},
+                  "gold": {"diffuse": [0.2, 0.1, 0], "specular": [0.8, 0.6, 0.2], "roughness": 0.4},
+                  "chrome": {"diffuse": [0, 0, 0], "mirror": 0.9}},
+    "objects": [
+      {"type": "box", "min": [-4, -0.2, -4], "max": [4, 0, 4], "material": "floor"},
+      {"type": "sphere", "center": [-0.7, 0.6, 0], "radius": 0.6, "material": "gold"},
+      {"type": "sphere", "center": [0.7, 0.6, 0], "radius": 0.6, "material": "chrome"}],
+    "lights": [
+      {"type": "sphere", "position": [2, 4, 2], "radius": 0.4, "radiance": [20, 20, 20]},
+      {"type": "disk", "position": [-2, 3, 1], "normal": [0.5, -1, 0], "radius": 0.5, "radiance": [9, 8, 7]},
+      {"type": "rect", "corner": [0, 3, -2], "edge_u": [0.5, 0, 0], "edge_v": [0, 0.2, 0.8], "radiance": [8, 9, 8]},
+      {"type": "segment", "from": [-1, 2, 2], "to": [1, 2.4, 2], "radius": 0.03, "radiance": [30, 30, 30]},
+      {"type": "point", "position": [1, 2, 3], "intensity": [3, 2, 2]},
+      {"type": "sun", "direction": [1, -1, -0.4], "angular_diameter_deg": 8, "irradiance": [0.5, 0.5, 0.7]}],
+    "background": [0.3, 0.4, 0.6]})");
+  const Scene scene = load_scene(file);
+  const World world(scene, false);
+  Progress silent;
+  RenderOptions options = small(ShadowKind::hard);
+  options.want_visibility = options.want_depth = options.want_normal = true;
+  const RenderResult cpu = render(world, options, silent), gl = drawn_picture(scene, options);
+  EXPECT_NEAR(gl.stats.exposure_ev, cpu.stats.exposure_ev, 0.01);
+  EXPECT_LT(difference(cpu, gl), 0.002);
+  int far = 0;
+  for (std::size_t i = 0; i < cpu.depth.data.size(); ++i)
+    far += !(cpu.depth.data[i] == gl.depth.data[i] ||
+             std::abs(cpu.depth.data[i] - gl.depth.data[i]) < 1e-3f);
+  for (std::size_t i = 0; i < cpu.normal.data.size(); ++i)
+    far += std::abs(cpu.normal.data[i] - gl.normal.data[i]) > 0.01f;
+  for (std::size_t l = 0; l < 6; ++l)
+    for (std::size_t i = 0; i < cpu.depth.data.size(); ++i)
+      far += cpu.visibility[l].data[i] != gl.visibility[l].data[i];
+  EXPECT_LT(far, 100);  // of 10 numbers for each of 6,144 pixels
+}
+
+TEST_F(RenderGl, ExportedShadersShowTheSamePicture) {
+  const Scene scene = load_scene(PENUMBRA_SOURCE_DIR "/tests/data/oracle/bridge.json");
+  for (const ShadowKind kind :
+       {ShadowKind::hard, ShadowKind::sdf_improved, ShadowKind::sdf_inner}) {
+    const RenderOptions options = small(kind);
+    const RenderResult original = drawn_picture(scene, options);
+    Progress silent;
+    std::vector<std::string> warnings;
+    const std::string text = export_shadertoy(scene, options, "bridge.json", silent, warnings);
+    EXPECT_EQ(text.find("pnb_"), std::string::npos);
+    const RenderResult exported = drawn_picture(shader_scene(text), options);
+    EXPECT_LT(difference(original, exported), 0.002) << int(kind);
+  }
+}
+
+TEST_F(RenderGl, ExportedPersonsShadersShowTheSamePicture) {
+  const Scene scene = shader_scene(
+      "#define R 0.5\n#define t 3\nfloat trace(vec3 p) { return length(p - vec3(0, R, 0)) - R; }\n"
+      "float map(vec3 p) { return min(p.y, trace(p)); }\n"
+      "vec3 albedo(vec3 p) { return vec3(0.2, 0.5, 0.9); }\n");
+  const RenderOptions options = small(ShadowKind::sdf_classic);
+  Progress silent;
+  std::vector<std::string> warnings;
+  const std::string text = export_shadertoy(scene, options, "a.glsl", silent, warnings);
+  EXPECT_LT(difference(drawn_picture(scene, options), drawn_picture(shader_scene(text), options)),
+            0.002);
+}
+
+TEST_F(RenderGl, MainImageRunsAsItIs) {
+  const Scene scene = shader_scene(
+      "void mainImage(out vec4 c, in vec2 p) {\n"
+      "  c = vec4(p.x / iResolution.x, gl_FragCoord.y == p.y ? p.y / 64.0 : 0.0, iTime / 4.0, 0);\n"
+      "}\n");
+  RenderOptions options = small(ShadowKind::hard);
+  options.time = 1;
+  const RenderResult result = drawn_picture(scene, options);
+  for (const auto& [x, y] : {std::pair{0, 0}, {95, 0}, {40, 63}, {13, 37}}) {
+    const float* rgb = result.color.at(x, y);
+    EXPECT_NEAR(srgb_from_linear(rgb[0]), (x + 0.5) / 96, 1e-3);
+    EXPECT_NEAR(srgb_from_linear(rgb[1]), (63.5 - y) / 64, 1e-3);
+    EXPECT_NEAR(srgb_from_linear(rgb[2]), 0.25, 1e-3);
+  }
+}
+
+TEST_F(RenderGl, LargePicturesHaveNoSeams) {
+  const Scene scene = shader_scene(
+      "void mainImage(out vec4 c, in vec2 p) { c = vec4(mod(p.y, 256.0) / 255.0, 0, 0, 1); }\n");
+  RenderOptions options = small(ShadowKind::hard);
+  options.width = 3, options.height = 3000;
+  const RenderResult result = drawn_picture(scene, options);
+  for (int y = 0; y < 3000; ++y)
+    ASSERT_NEAR(srgb_from_linear(result.color.at(1, y)[0]) * 255,
+                std::min(std::fmod(2999.5 - y, 256.0), 255.0), 0.01)
+        << y;
+}
+
+TEST_F(RenderGl, ManyLightsAndSeveralSamples) {
+  Scene scene = shader_scene("float map(vec3 p) { return p.y; }\n");
+  Scene one = scene;
+  for (Light& light : one.lights) light.emission = light.emission * 9.0f;
+  scene.lights.assign(9, scene.lights[0]);
+  RenderOptions options = small(ShadowKind::hard);
+  options.spp = 3;
+  options.exposure_ev = 0;
+  scene.ambient_is_automatic = one.ambient_is_automatic = false;
+  EXPECT_EQ(difference(drawn_picture(scene, options), drawn_picture(one, options)), 0);
+}
+
+}  // namespace
+}  // namespace penumbra
