@@ -43,7 +43,7 @@ Pictures read_pictures(char** files) {
 
 /// Cosine of the light's centre at what each pixel sees; negative where that is nothing or dark.
 Image cosines(const Scene& scene, int width, int height) {
-  const World world(scene, false);
+  const World world(scene, {.cone_tree = false});
   const CameraRays camera(scene.cameras.front(), width, height);
   Image out(width, height, 1);
   for (int y = 0; y < height; ++y)

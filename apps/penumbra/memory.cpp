@@ -62,7 +62,7 @@ double picture_bytes(const Arguments& arguments, std::size_t light_count) {
   const RenderOptions& options = arguments.render;
   const double floats = 3.0 + (options.want_visibility ? static_cast<double>(light_count) : 0) +
                         (options.want_depth ? 1 : 0) + (options.want_normal ? 3 : 0) +
-                        (options.want_error ? 1 : 0);
+                        (options.want_error ? 1 : 0) + (options.want_steps ? 1 : 0);
   return floats * sizeof(float) * options.width * options.height;
 }
 

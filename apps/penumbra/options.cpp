@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> kVariants{"published", "blog", "abs"};
 constexpr std::array<std::string_view, 3> kEntries{"auto", "map", "mainImage"};
 constexpr std::array<std::string_view, 3> kProfiles{"cubic", "sine", "linear"};
 constexpr std::array<std::string_view, 3> kComposites{"min", "multiply", "add"};
-constexpr std::array<std::string_view, 4> kAovs{"visibility", "depth", "normal", "error"};
+constexpr std::array<std::string_view, 5> kAovs{"visibility", "depth", "normal", "error", "steps"};
 constexpr std::array<std::string_view, 3> kDevices{"auto", "cpu", "gl"};
 constexpr std::array<std::string_view, 7> kPictureOptions{
     "--size", "--camera", "--spp", "--exposure", "--mirror-depth", "--aov", "--entry"};
@@ -64,8 +64,6 @@ AovRequest read_aov(const std::string& text) {
     throw InputError(fmt::format("--aov: '{}' is not NAME=FILE.exr", text),
                      "write it as --aov depth=depth.exr");
   AovRequest aov{text.substr(0, equals), text.substr(equals + 1)};
-  if (aov.name == "steps")
-    throw InputError("--aov: steps is not in this version", "use " + listed(kAovs));
   parse_choice("--aov", aov.name, kAovs);
   if (!aov.file.ends_with(".exr"))
     throw InputError(fmt::format("--aov: {} does not end in .exr", aov.file),
@@ -78,6 +76,7 @@ void want_aov(const std::string& name, RenderOptions& options) {
   if (name == "depth") options.want_depth = true;
   if (name == "normal") options.want_normal = true;
   if (name == "error") options.want_error = true;
+  if (name == "steps") options.want_steps = true;
 }
 
 Device read_device(const std::string& text) {
@@ -97,7 +96,7 @@ void add_field_options(CLI::App& command, Arguments& a) {
       "sdf-*: where the march begins, metres from the point");
   add(
       "--steps", "N", "256",
-      [&](auto& t) { shadows.steps = static_cast<int>(parse_integer("--steps", t, 1, 1 << 16)); },
+      [&](auto& t) { shadows.steps = static_cast<int>(parse_integer("--steps", t, 1, 65535)); },
       "sdf-*: at most, of a march");
   add(
       "--k", "K", "", [&](auto& t) { shadows.k = parse_number("--k", t, 1e-6, 1e6); },

@@ -45,6 +45,7 @@ void add_layers(const std::string& name, const Scene& scene, const RenderResult&
                 std::vector<ExrLayer>& layers) {
   if (name == "depth") layers.push_back({name, {"Z"}, &result.depth});
   if (name == "normal") layers.push_back({name, {"X", "Y", "Z"}, &result.normal});
+  if (name == "steps") layers.push_back({name, {"Y"}, &result.steps});
   if (name == "error") layers.push_back({name, {"Y"}, &result.error});
   if (name != "visibility") return;
   const std::vector<std::string> channels = channel_names(scene.lights);

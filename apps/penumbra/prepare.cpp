@@ -107,8 +107,11 @@ std::unique_ptr<World> build_world(const Scene& scene, const Arguments& argument
                                    Console& console) {
   console.start("build", 0);
   const ShadowKind kind = arguments.render.shadows.kind;
-  auto world =
-      std::make_unique<World>(scene, kind == ShadowKind::parker || kind == ShadowKind::area);
+  WorldOptions options;
+  options.cone_tree =
+      kind == ShadowKind::parker || (kind == ShadowKind::area && scene.sdfs.empty());
+  options.field = kind >= ShadowKind::sdf_classic;
+  auto world = std::make_unique<World>(scene, options);
   console.finish();
   return world;
 }

@@ -50,6 +50,9 @@ void add_shadow_counts(Json::Value& stats, const ShadowCounts& counts) {
   stats["cones"]["queries"] = count(counts.cones);
   stats["cones"]["nodes"] = count(counts.cone_nodes);
   stats["cones"]["leaves"] = count(counts.cone_leaves);
+  stats["marches"]["queries"] = count(counts.marches);
+  stats["marches"]["steps"] = count(counts.march_steps);
+  stats["marches"]["unfinished"] = count(counts.unfinished_marches);
 }
 
 void write_stats(const std::string& file, Json::Value stats) {

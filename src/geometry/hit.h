@@ -15,11 +15,13 @@ struct Ray {
   float t_max = INFINITY;
 };
 
-/// A triangle of an instance, or a sphere.
+/// A triangle of an instance, a sphere, or the distance fields.
 struct PrimitiveId {
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::uint32_t instance = none;  ///< into Scene::instances; or instances.size() + sphere index
-  std::uint32_t triangle = 0;     ///< of the mesh; 0 for a sphere
+  std::uint32_t instance =
+      none;                    ///< into Scene::instances; or instances.size() + sphere index; the
+                               ///< number after the last sphere's stands for all distance fields
+  std::uint32_t triangle = 0;  ///< of the mesh; 0 for the others
 };
 
 struct Hit {

@@ -84,6 +84,7 @@ void shade_smoothly(Surface& s, const Corner* corners, const float* weights) {
 
 Surface World::surface(const Ray& ray, const Hit& hit) const {
   const std::size_t meshes = scene_.instances.size();
+  if (hit.primitive.instance >= meshes + scene_.spheres.size()) return solid_surface(ray, hit);
   if (hit.primitive.instance >= meshes)
     return sphere_surface(scene_, ray, hit, hit.primitive.instance - meshes);
   const Instance& instance = scene_.instances[hit.primitive.instance];

@@ -2,30 +2,65 @@
 
 #include "geometry/cone_tree.h"
 #include "geometry/embree_scene.h"
+#include "sdf/field.h"
 
 namespace penumbra {
 
-World::World(const Scene& scene, bool with_cone_tree)
+namespace {
+
+std::shared_ptr<const sdf::Field> solids_of(const Scene& scene) {
+  if (scene.sdfs.empty()) return nullptr;
+  sdf::FieldOptions options;
+  options.only_distance_fields = true;
+  return std::make_shared<const sdf::Field>(scene, options);
+}
+
+std::shared_ptr<const sdf::Field> field_of(const Scene& scene) {
+  return std::make_shared<const sdf::Field>(scene);
+}
+
+}  // namespace
+
+World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
       bounds_(bounds_of(scene)),
       embree_(std::make_unique<EmbreeScene>(scene)),
-      cone_tree_(with_cone_tree ? std::make_unique<ConeTree>(scene) : nullptr) {}
+      cone_tree_(options.cone_tree ? std::make_unique<ConeTree>(scene) : nullptr),
+      solids_(solids_of(scene)) {
+  const bool only_solids = solids_ && scene.instances.empty() && scene.spheres.empty();
+  if (options.field) field_ = only_solids ? solids_ : field_of(scene);
+}
 
 World::~World() = default;
 
-std::optional<Hit> World::intersect(const Ray& ray) const { return embree_->intersect(ray); }
+std::optional<Hit> World::intersect(const Ray& ray) const {
+  auto hit = embree_->intersect(ray);
+  if (solids_) march(std::span(&ray, 1), &hit);
+  return hit;
+}
 
 void World::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
   embree_->intersect(rays, hits);
+  if (solids_) march(rays, hits);
 }
 
 float World::epsilon_at(const Vec3& p) const {
   // Eight roundings of 2^-24: a hit point is a sum of three products of coordinates about as large
   // as its own, seen through a normal that was rounded too. Near the origin of a small scene the
   // vertices around it still have the scene's magnitude, a sixteenth of which counts.
-  return 0x1p-21f * std::max(max_component(abs(p)), bounds_.diagonal() / 16);
+  return roundings() * std::max(max_component(abs(p)), bounds_.diagonal() / 16);
 }
 
-std::size_t World::memory_bytes() const { return cone_tree_ ? cone_tree_->memory_bytes() : 0; }
+float World::roundings() const {
+  // Where a march ends is less exact than where a ray meets a triangle.
+  return solids_ ? 0x1p-19f : 0x1p-21f;
+}
+
+std::size_t World::memory_bytes() const {
+  std::size_t bytes = cone_tree_ ? cone_tree_->memory_bytes() : 0;
+  if (solids_) bytes += solids_->memory_bytes();
+  if (field_ && field_ != solids_) bytes += field_->memory_bytes();
+  return bytes;
+}
 
 }  // namespace penumbra

@@ -5,13 +5,18 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/affine.h"
 #include "base/vec.h"
 #include "geometry/hit.h"
 #include "scene/scene.h"
 
+struct RTCRay8;
+
 namespace penumbra {
+
+struct ShadowRay;
 
 /// What shading needs to know about a hit.
 struct Surface {
@@ -24,6 +29,13 @@ struct Surface {
   Vec2 uv_per_metre;     ///< for texture filtering: |d uv_0| and |d uv_1| per metre on the surface
   std::uint32_t material = 0;
   std::uint32_t object = 0;
+  /// Where smooth operators of distance fields blend materials: which, and weights that add up to
+  /// 1; empty: `material` alone.
+  struct Share {
+    std::uint32_t material;
+    float weight;
+  };
+  std::vector<Share> blend;
   PrimitiveId primitive;
   bool front = true;    ///< seen from the side the winding says
   bool smooth = false;  ///< has vertex normals, or is a sphere
@@ -31,13 +43,21 @@ struct Surface {
 
 class ConeTree;
 class EmbreeScene;
+namespace sdf {
+class Field;
+}
+
+/// What queries will be asked.
+struct WorldOptions {
+  bool cone_tree = true;  ///< clearances
+  bool field = false;     ///< distances to everything
+};
 
 /// Immutable once built; every query is thread-safe. Keeps a reference to the scene.
 class World {
  public:
-  /// Builds Embree's and our own acceleration structures, in parallel. `with_cone_tree` = false
-  /// leaves ours out: then clearance queries must not be asked.
-  explicit World(const Scene& scene, bool with_cone_tree = true);
+  /// Builds Embree's and our own acceleration structures, in parallel.
+  explicit World(const Scene& scene, const WorldOptions& options = {});
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -46,27 +66,46 @@ class World {
   /// Bounds of all geometry.
   const Bounds& bounds() const { return bounds_; }
 
-  /// The nearest hit with 0 < t < ray.t_max; alpha-masked holes are passed through.
+  /// The nearest hit with 0 < t < ray.t_max; alpha-masked holes are passed through. Distance fields
+  /// are marched to the precision of triangles.
   std::optional<Hit> intersect(const Ray& ray) const;
   /// The same for 1 to 8 rays at once, which pays where they go much the same way.
   void intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   Surface surface(const Ray& ray, const Hit& hit) const;
 
+  /// Whether anything but instance `excluded` (−1: nothing is excluded) blocks the ray.
+  bool occluded(const ShadowRay& ray, int excluded = -1) const;
+  /// The same for the rays of a packet with valid[i] == −1, see EmbreeScene::occluded.
+  void occluded(const int* valid, RTCRay8& rays, int excluded = -1) const;
+
   /// How far from its true place a computed point near p may be, by floating-point error of
   /// coordinates of that size, metres. Whatever is nearer to a tangent plane lies on it.
   float epsilon_at(const Vec3& p) const;
+  /// epsilon_at() per metre of p's greatest coordinate, where that decides.
+  float roundings() const;
 
   const EmbreeScene& embree() const { return *embree_; }
   bool has_cone_tree() const { return cone_tree_ != nullptr; }
   const ConeTree& cone_tree() const { return *cone_tree_; }
+  /// True if there are distance-field objects.
+  bool has_solids() const { return solids_ != nullptr; }
+  bool has_field() const { return field_ != nullptr; }
+  /// Distances to all there is; with WorldOptions::field only.
+  const sdf::Field& field() const { return *field_; }
   /// Bytes held beyond Embree's own and the scene's.
   std::size_t memory_bytes() const;
 
  private:
+  /// What distance fields add to the hits known so far.
+  void march(std::span<const Ray> rays, std::optional<Hit>* hits) const;
+  Surface solid_surface(const Ray& ray, const Hit& hit) const;
+
   const Scene& scene_;
   Bounds bounds_;
   std::unique_ptr<EmbreeScene> embree_;
   std::unique_ptr<ConeTree> cone_tree_;
+  std::shared_ptr<const sdf::Field> solids_;  ///< the distance-field objects
+  std::shared_ptr<const sdf::Field> field_;   ///< everything
 };
 
 }  // namespace penumbra

@@ -45,7 +45,21 @@ Vec3 MaterialLookup::color(const TextureSlot& slot, const Surface& surface, floa
 }
 
 ShadingPoint MaterialLookup::at(const Surface& surface, const Vec3& to_viewer, float width) const {
-  const Material& m = scene_.materials[surface.material];
+  if (surface.blend.empty()) return of_material(surface.material, surface, to_viewer, width);
+  ShadingPoint sum = of_material(surface.blend.front().material, surface, to_viewer, width);
+  sum.diffuse = sum.specular = sum.mirror = sum.emission = {}, sum.alpha = 0;
+  for (const Surface::Share& share : surface.blend) {
+    const ShadingPoint part = of_material(share.material, surface, to_viewer, width);
+    sum.diffuse += part.diffuse * share.weight, sum.specular += part.specular * share.weight;
+    sum.mirror += part.mirror * share.weight, sum.emission += part.emission * share.weight;
+    sum.alpha += part.alpha * share.weight;
+  }
+  return sum;
+}
+
+ShadingPoint MaterialLookup::of_material(std::uint32_t material, const Surface& surface,
+                                         const Vec3& to_viewer, float width) const {
+  const Material& m = scene_.materials[material];
   // The beam covers width × width / cos; a square of that area neither blurs nor aliases most.
   const float facing = std::max(std::abs(dot(surface.normal, to_viewer)), 0.01f);
   const float side = width / std::sqrt(facing);

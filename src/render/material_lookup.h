@@ -24,9 +24,12 @@ class MaterialLookup {
 
   /// `to_viewer`: unit, back along the ray that met the surface. `width`: of the pixel's beam
   /// there, across the ray, metres; textures are filtered over the area it covers.
+  /// Where materials blend, so does what they say.
   ShadingPoint at(const Surface& surface, const Vec3& to_viewer, float width) const;
 
  private:
+  ShadingPoint of_material(std::uint32_t material, const Surface& surface, const Vec3& to_viewer,
+                           float width) const;
   Vec3 color(const TextureSlot& slot, const Surface& surface, float width, bool srgb) const;
 
   const Scene& scene_;

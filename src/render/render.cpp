@@ -43,6 +43,7 @@ RenderResult empty_result(const RenderOptions& o, std::size_t lights) {
   if (o.want_visibility) result.visibility.assign(lights, Image(o.width, o.height, 1));
   if (o.want_depth) result.depth = Image(o.width, o.height, 1);
   if (o.want_normal) result.normal = Image(o.width, o.height, 3);
+  if (o.want_steps) result.steps = Image(o.width, o.height, 1);
   if (o.want_error) result.error = Image(o.width, o.height, 1);
   return result;
 }

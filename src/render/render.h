@@ -23,7 +23,8 @@ struct RenderOptions {
   ShadowOptions shadows;
   int mirror_depth = 5;  ///< reflections followed, 0 = none
   float time = 0;        ///< of shaders: iTime, seconds
-  bool want_visibility = false, want_depth = false, want_normal = false, want_error = false;
+  bool want_visibility = false, want_depth = false, want_normal = false, want_error = false,
+       want_steps = false;
 };
 
 struct RenderStats {
@@ -31,10 +32,10 @@ struct RenderStats {
                               ///< builds it, and added here
   double seconds_render = 0;  ///< the tiles
   std::uint64_t primary_rays = 0, mirror_rays = 0;
-  ShadowCounts shadows;   ///< of the picture, without the exposure's few
-  float exposure_ev = 0;  ///< given or chosen; display value = color · 2^EV
-  Vec3 ambient;           ///< OpenGL: radiance of the ambient light
-  std::string device;     ///< the OpenGL renderer's name; empty = this processor
+  ShadowCounts shadows;           ///< of the picture, without the exposure's few
+  float exposure_ev = 0;          ///< given or chosen; display value = color · 2^EV
+  Vec3 ambient;                   ///< OpenGL: radiance of the ambient light
+  std::string device;             ///< the OpenGL renderer's name; empty = this processor
   std::uint64_t field_steps = 0;  ///< OpenGL: evaluations of the field along rays and marches
   std::uint64_t unfinished = 0;   ///< OpenGL: samples with a march that ran out of steps
 };
@@ -47,6 +48,8 @@ struct RenderResult {
   Image normal;  ///< 3 channels: mean shading normal, unit; zero where nothing was met
   Image error;   ///< 1 channel: estimated standard error of the pixel's visible fraction, the
                  ///< greatest over the lights; 0 for methods without sampling
+  Image steps;   ///< 1 channel: steps of the sdf_* marches, mean over the samples that met
+                 ///< something, summed over the lights
   RenderStats stats;
   std::vector<std::string> warnings;  ///< what a person should know of the picture
 };

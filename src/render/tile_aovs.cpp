@@ -34,6 +34,7 @@ void TileAovs::arrived(std::size_t light, std::span<const TilePoint> points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Visibility& v = arrivals[i].visibility;
     if (options_.want_visibility) *at(result_.visibility[light], points[i].pixel) += v.fraction;
+    if (options_.want_steps) *at(result_.steps, points[i].pixel) += static_cast<float>(v.steps);
     if (options_.want_error)
       squared_errors_[light * hits_.size() + points[i].pixel] +=
           v.standard_error * v.standard_error;
@@ -56,6 +57,7 @@ void TileAovs::finish_pixel(std::uint32_t pixel) {
     const float size = length(Vec3{n[0], n[1], n[2]});
     for (int c = 0; c < 3; ++c) n[c] = size > 0 ? n[c] / size : 0;
   }
+  if (options_.want_steps && hits > 0) *at(result_.steps, pixel) /= hits;
   if (options_.want_error) {
     float worst = 0;
     for (std::size_t light = 0; light < light_count_; ++light)

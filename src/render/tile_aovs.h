@@ -15,7 +15,9 @@ class TileAovs : public ArrivalObserver {
   TileAovs(const RenderSetup& setup, const Tile& tile, std::vector<float>& squared_errors,
            RenderResult& result);
 
-  bool wants_arrivals() const { return options_.want_visibility || options_.want_error; }
+  bool wants_arrivals() const {
+    return options_.want_visibility || options_.want_error || options_.want_steps;
+  }
   /// The first surfaces that one sample of each pixel met.
   void met(std::span<const TilePoint> points);
   void arrived(std::size_t light, std::span<const TilePoint> points,

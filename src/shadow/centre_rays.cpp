@@ -39,7 +39,7 @@ HWY_INLINE void lanes(const Eight& from, const CentreLight& light, std::size_t f
   };
   const Point p = load(from.position), n = load(from.normal);
   const Floats size = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Abs(p.z));
-  const Floats epsilon = hn::Max(hn::Mul(size, all(0x1p-21f)), all(light.least_epsilon));
+  const Floats epsilon = hn::Max(hn::Mul(size, all(light.roundings)), all(light.least_epsilon));
   Point way{all(light.at.x), all(light.at.y), all(light.at.z)};
   Floats t_max = all(INFINITY);
   if (!light.endless) {

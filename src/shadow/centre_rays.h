@@ -16,6 +16,7 @@ struct CentreLight {
   Vec3 normal;
   float epsilon = 0;        ///< of the centre, see World::epsilon_at
   float least_epsilon = 0;  ///< of receivers, see World::epsilon_at
+  float roundings = 0;      ///< epsilon per metre of the greatest coordinate
 };
 
 /// Writes the rays of 1 to 8 receivers; valid[i] is −1 for those whose light is above the horizon

@@ -17,6 +17,8 @@ void Shadows::visibilities(std::span<const Receiver> receivers, std::size_t ligh
     hard_packets(receivers, light, out, counts);
   } else if (grouped) {
     parker_group(receivers, light, out, counts);
+  } else if (marches_field()) {
+    field_marches(receivers, light, out, counts);
   } else {
     for (std::size_t i = 0; i < receivers.size(); ++i)
       out[i] = visibility(receivers[i], light, streams[i], counts);
@@ -65,12 +67,13 @@ void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t ligh
   centre.normal = source.normal;
   centre.epsilon = world_.epsilon_at(source.position);
   centre.least_epsilon = world_.epsilon_at({});
+  centre.roundings = world_.roundings();
   for (std::size_t first = 0; first < receivers.size(); first += 8) {
     const std::size_t count = std::min<std::size_t>(8, receivers.size() - first);
     RTCRay8 rays;
     alignas(32) std::array<int, 8> valid;
     make_centre_rays(receivers.subspan(first, count), centre, rays, valid.data());
-    world_.embree().occluded(valid.data(), rays);
+    world_.occluded(valid.data(), rays);
     for (std::size_t i = 0; i < count; ++i) {
       counts.rays += valid[i] != 0;
       out[first + i] = {valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0f : 0.0f, 0};

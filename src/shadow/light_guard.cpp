@@ -40,7 +40,7 @@ bool whole_light_is_seen(const World& world, const LightViews& lights, const Rec
 LightGuard guard_light(const World& world, const LightViews& lights, const Receiver& receiver,
                        std::size_t light, ShadowCounts& counts) {
   const auto view = lights.view(light, receiver.position);
-  if (!view || !world.has_cone_tree()) return LightGuard::unknown;
+  if (!view || !world.has_cone_tree() || world.has_solids()) return LightGuard::unknown;
   ConeQuery query;
   query.origin = receiver.position, query.direction = view->direction;
   query.horizon = receiver.normal, query.epsilon = world.epsilon_at(receiver.position);

@@ -198,11 +198,11 @@ int trace_points(const LightRays::Setup& setup, const float* x, const float* y, 
   int traced = 0, visible = 0;
   for (int first = 0; first < count; first += LightPacket::size) {
     LightPacket* out = targets ? targets++ : nullptr;
-    if (aim(setup, x + first, y + first, count - first, rays, valid, out) != 0 && setup.scene)
-      setup.scene->occluded(valid, rays, setup.own_instance);
+    if (aim(setup, x + first, y + first, count - first, rays, valid, out) != 0 && setup.world)
+      setup.world->occluded(valid, rays, setup.own_instance);
     *visible_bits++ = arrived(rays, valid, traced, visible);
   }
-  if (setup.scene) counts.rays += static_cast<std::uint64_t>(traced);
+  if (setup.world) counts.rays += static_cast<std::uint64_t>(traced);
   return visible;
 }
 
@@ -222,11 +222,12 @@ void LightPoints::packet(const SamplePattern& pattern, const float* x, const flo
 
 LightRays::LightRays(const World& world, const LightViews& lights, const Receiver& receiver,
                      std::size_t light, const SamplePattern& pattern, bool unoccluded)
-    : points_(lights, light, receiver.position, on_plane_epsilon(world, lights.light(light).position, receiver.position)),
+    : points_(lights, light, receiver.position,
+              on_plane_epsilon(world, lights.light(light).position, receiver.position)),
       pattern_(pattern),
       setup_{points_,
              pattern_,
-             unoccluded ? nullptr : &world.embree(),
+             unoccluded ? nullptr : &world,
              receiver.position + receiver.normal * world.epsilon_at(receiver.position),
              receiver.normal,
              lights.light(light).type == LightType::mesh ? lights.light(light).instance : -1} {}

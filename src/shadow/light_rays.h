@@ -34,8 +34,8 @@ class LightRays {
   struct Setup {
     const LightPoints& points;
     const SamplePattern& pattern;
-    const EmbreeScene* scene;  ///< null: nothing blocks
-    Vec3 origin;               ///< of the rays
+    const World* world;  ///< null: nothing blocks
+    Vec3 origin;         ///< of the rays
     Vec3 normal;
     int own_instance = -1;  ///< a mesh light's, which does not block
   };

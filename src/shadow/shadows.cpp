@@ -10,6 +10,8 @@ namespace penumbra {
 
 ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& b) {
   rays += b.rays, cones += b.cones, cone_nodes += b.cone_nodes, cone_leaves += b.cone_leaves;
+  marches += b.marches, march_steps += b.march_steps;
+  unfinished_marches += b.unfinished_marches;
   return *this;
 }
 
@@ -35,6 +37,11 @@ Visibility Shadows::visibility(const Receiver& receiver, std::size_t light, std:
                                ShadowCounts& counts) const {
   if (options_.kind == ShadowKind::none) return {};
   if (options_.kind == ShadowKind::area) return sampled(receiver, light, stream, nullptr, counts);
+  if (marches_field()) {
+    Visibility v;
+    field_marches(std::span(&receiver, 1), light, std::span(&v, 1), counts);
+    return v;
+  }
   const auto view = lights_.view(light, receiver.position);
   if (!view || dot(view->direction, receiver.normal) <= 0) return {0, 0};
   const bool soft = options_.kind == ShadowKind::parker && view->diameter_over_distance > 0;
@@ -51,7 +58,7 @@ float Shadows::hard(const Receiver& receiver, const LightView& view, ShadowCount
     ray.t_max -= on_plane_epsilon(world_, center, receiver.position) / lean;
   }
   ++counts.rays;
-  return world_.embree().occluded(ray, view.own_instance) ? 0.0f : 1.0f;
+  return world_.occluded(ray, view.own_instance) ? 0.0f : 1.0f;
 }
 
 ConeQuery Shadows::cone_query(const Receiver& receiver, const LightView& view) const {

@@ -69,14 +69,18 @@ struct LightPoint {
 struct Visibility {
   float fraction = 1;        ///< visible fraction in [0, 1]
   float standard_error = 0;  ///< estimated; 0 for methods without sampling
+  int steps = 0;             ///< sdf_*: of the march
 };
 
 /// Counters, one set a thread; add them up.
 struct ShadowCounts {
-  std::uint64_t rays = 0;         ///< Embree shadow rays
-  std::uint64_t cones = 0;        ///< clearance queries
-  std::uint64_t cone_nodes = 0;   ///< nodes that these opened
-  std::uint64_t cone_leaves = 0;  ///< leaves that these tested
+  std::uint64_t rays = 0;                ///< Embree shadow rays
+  std::uint64_t cones = 0;               ///< clearance queries
+  std::uint64_t cone_nodes = 0;          ///< nodes that these opened
+  std::uint64_t cone_leaves = 0;         ///< leaves that these tested
+  std::uint64_t marches = 0;             ///< through the distance field
+  std::uint64_t march_steps = 0;         ///< of these
+  std::uint64_t unfinished_marches = 0;  ///< that ran out of steps: the fraction is what they found
   ShadowCounts& operator+=(const ShadowCounts& b);
 };
 
@@ -93,6 +97,8 @@ class Shadows {
   const ShadowOptions& options() const { return options_; }
   const World& world() const { return world_; }
   const LightViews& lights() const { return lights_; }
+  /// True for the methods that march a distance field; the world must have one.
+  bool marches_field() const { return options_.kind >= ShadowKind::sdf_classic; }
   /// True for area: radiance is summed over light_points() with the cosines inside; false: the
   /// unshadowed light is multiplied by the visible fraction.
   bool sums_light_points() const { return options_.kind == ShadowKind::area; }
@@ -127,6 +133,8 @@ class Shadows {
   ConeQuery cone_query(const Receiver& receiver, const LightView& view) const;
   void hard_packets(std::span<const Receiver> receivers, std::size_t light,
                     std::span<Visibility> out, ShadowCounts& counts) const;
+  void field_marches(std::span<const Receiver> receivers, std::size_t light,
+                     std::span<Visibility> out, ShadowCounts& counts) const;
   void parker_group(std::span<const Receiver> receivers, std::size_t light,
                     std::span<Visibility> out, ShadowCounts& counts) const;
 

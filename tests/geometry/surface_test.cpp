@@ -22,7 +22,7 @@ Scene facet(const Affine& world_from_mesh) {
 }
 
 Surface seen_from(const Scene& scene, float z) {
-  const World world(scene, false);
+  const World world(scene, {.cone_tree = false});
   const Ray ray{{0, 0, z}, {0, 0, z > 0 ? -1.0f : 1.0f}};
   const auto hit = world.intersect(ray);
   EXPECT_TRUE(hit);

@@ -57,7 +57,7 @@ TEST_F(RenderGl, PicturesEqualTheProcessors) {
   for (const char* name : {"table", "three-spheres"}) {
     const Scene scene =
         load_scene(std::string(PENUMBRA_SOURCE_DIR "/tests/data/oracle/") + name + ".json");
-    const World world(scene, false);
+    const World world(scene, {.cone_tree = false});
     for (const ShadowKind kind : {ShadowKind::none, ShadowKind::hard, ShadowKind::area}) {
       RenderOptions options = small(kind);
       options.width = 192, options.height = 128;
@@ -89,7 +89,7 @@ TEST_F(RenderGl, MaterialsEqualTheProcessors) {
       {"type": "sun", "direction": [1, -1, -0.4], "angular_diameter_deg": 8, "irradiance": [0.5, 0.5, 0.7]}],
     "background": [0.3, 0.4, 0.6]})");
   const Scene scene = load_scene(file);
-  const World world(scene, false);
+  const World world(scene, {.cone_tree = false});
   Progress silent;
   RenderOptions options = small(ShadowKind::hard);
   options.want_visibility = options.want_depth = options.want_normal = true;
