@@ -99,8 +99,10 @@ int chosen_camera(const Scene& scene, const std::string& name_or_index) {
 
 std::unique_ptr<World> build_world(const Scene& scene, const Arguments& arguments,
                                    Console& console) {
-  console.start("build", 0);
   const ShadowKind kind = arguments.render.shadows.kind;
+  if (kind >= ShadowKind::sdf_classic)
+    throw InputError("the sdf-* methods are drawn by OpenGL in this version", "add --device gl");
+  console.start("build", 0);
   auto world =
       std::make_unique<World>(scene, kind == ShadowKind::parker || kind == ShadowKind::area);
   console.finish();
