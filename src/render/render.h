@@ -31,10 +31,10 @@ struct RenderStats {
                               ///< builds it, and added here
   double seconds_render = 0;  ///< the tiles
   std::uint64_t primary_rays = 0, mirror_rays = 0;
-  ShadowCounts shadows;   ///< of the picture, without the exposure's few
-  float exposure_ev = 0;  ///< given or chosen; display value = color · 2^EV
-  Vec3 ambient;           ///< OpenGL: radiance of the ambient light
-  std::string device;     ///< the OpenGL renderer's name; empty = this processor
+  ShadowCounts shadows;           ///< of the picture, without the exposure's few
+  float exposure_ev = 0;          ///< given or chosen; display value = color · 2^EV
+  Vec3 ambient;                   ///< OpenGL: radiance of the ambient light
+  std::string device;             ///< the OpenGL renderer's name; empty = this processor
   std::uint64_t field_steps = 0;  ///< OpenGL: evaluations of the field along rays and marches
   std::uint64_t unfinished = 0;   ///< OpenGL: samples with a march that ran out of steps
 };
