@@ -23,6 +23,7 @@ install(FILES ${PROJECT_BINARY_DIR}/penumbraConfig.cmake
 
 install(DIRECTORY include/penumbra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN *.h)
+install(FILES shaders/soft_shadow.glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/penumbra/shaders)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET penumbra_program)
   install(TARGETS penumbra_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -105,8 +105,8 @@ int chosen_camera(const Scene& scene, const std::string& name_or_index) {
 
 std::unique_ptr<World> build_world(const Scene& scene, const Arguments& arguments,
                                    Console& console) {
-  console.start("build", 0);
   const ShadowKind kind = arguments.render.shadows.kind;
+  console.start("build", 0);
   WorldOptions options;
   options.cone_tree =
       kind == ShadowKind::parker || (kind == ShadowKind::area && scene.sdfs.empty());

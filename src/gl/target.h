@@ -19,7 +19,8 @@ class Texture {
   unsigned id() const { return id_; }
   /// Writes the lower left width × height texels, row by row.
   void write(int width, int height, std::span<const float> texels);
-  /// Makes it the texture of a unit (a sampler's value).
+  /// Makes it the texture of a unit (a sampler's value), 1 or more: unit 0 is used while textures
+  /// are made.
   void bind(int unit) const;
 
  private:

@@ -145,13 +145,14 @@ INSTANTIATE_TEST_SUITE_P(
 class Misuses : public SceneTest {};
 
 TEST_F(Misuses, Commands) {
-  expect_refused(penumbra({}), 2,
-                 "no command is given; use render, probe, info or new; see penumbra --help");
+  expect_refused(
+      penumbra({}), 2,
+      "no command is given; use render, probe, info, new or export; see penumbra --help");
   expect_refused(
       penumbra({"rendr", scene}), 2,
-      "'rendr' is no command; did you mean render? There are render, probe, info or new");
+      "'rendr' is no command; did you mean render? There are render, probe, info, new or export");
   expect_refused(penumbra({"bake", scene}), 2,
-                 "bake is not in this version; use render, probe, info or new");
+                 "bake is not in this version; use render, probe, info, new or export");
   expect_refused(penumbra({"--quiet"}), 2,
                  "--quiet is no option here; begin with a command, as in penumbra render SCENE -o "
                  "OUT.png");

@@ -88,8 +88,9 @@ const std::vector<Case>& cases() {
 }
 
 std::string scene_text(const std::string& root, const std::string& others = "") {
-  return R"({"materials":{"a":{"diffuse":[1,1,1]}},"objects":[)" + others +
-         R"({"type":"sdf","material":"a","root":)" + root + "}]}";
+  return R"({"camera":{"position":[0,0,5],"look_at":[0,0,0]},
+      "materials":{"a":{"diffuse":[1,1,1]}},"objects":[)" +
+         others + R"({"type":"sdf","material":"a","root":)" + root + "}]}";
 }
 
 Scene scene_of(const std::string& text) {
@@ -118,8 +119,8 @@ std::vector<float> shader_field(const FieldText& field, const std::vector<Vec3>&
     std::vector<float> texels;
     for (const Vec3& p : points) texels.insert(texels.end(), {p.x, p.y, p.z, 0});
     texture.write(kSide, kSide, texels);
-    texture.bind(0);
-    program.set("t", 0);
+    texture.bind(1);
+    program.set("t", 1);
     const gl::Target target(kSide, kSide, 1);
     target.use();
     program.draw(kSide, kSide);

@@ -73,7 +73,7 @@ TEST_F(RenderGl, MaterialsEqualTheProcessors) {
   const std::string file = folder / "scene.json";
   write_file(file, R"({
     "camera": {"position": [0, 2, 5], "look_at": [0, 0.4, 0]},
-    "materials": {"floor": {"diffuse": [0.4, 0.5, 0.6], "specular": 0.3, "roughness": 0.5},
+    "materials": {"floor": {"diffuse": [0.4, 0.5, 0.6], "specular": [0.3, 0.3, 0.3], "roughness": 0.5},
                   "gold": {"diffuse": [0.2, 0.1, 0], "specular": [0.8, 0.6, 0.2], "roughness": 0.4},
                   "chrome": {"diffuse": [0, 0, 0], "mirror": 0.9}},
     "objects": [

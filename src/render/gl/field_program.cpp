@@ -13,21 +13,22 @@ constexpr int kEmptyUnit = 7;  // no texture is ever bound there
 
 [[noreturn]] void refuse(const gl::CompileError& error, const FieldText& field) {
   const auto& messages = error.messages();
-  const auto in = [&](int source) {
-    return std::find_if(messages.begin(), messages.end(),
-                        [&](const gl::CompileMessage& m) { return m.error && m.source == source; });
+  const auto in = [&](bool theirs) {
+    return std::find_if(messages.begin(), messages.end(), [&](const gl::CompileMessage& m) {
+      return m.error && (m.line < first_line_of_ours) == theirs;
+    });
   };
   const std::string log = error.what();
   const std::string first_line = log.substr(0, log.find('\n'));
   if (!field.user)
     throw WorkError("the OpenGL driver refuses the generated shader: " + first_line,
                     "use another driver or --device cpu");
-  if (const auto m = in(user_source); m != messages.end()) {
+  if (const auto m = in(true); m != messages.end()) {
     Place place{field.user->file, static_cast<std::uint64_t>(m->line)};
     if (m->column > 0) place.column = static_cast<std::uint64_t>(m->column);
     throw InputError(place, m->text, "correct the shader; it is read as GLSL ES 3.00");
   }
-  const auto ours = in(0);
+  const auto ours = in(false);
   throw InputError({field.user->file}, ours != messages.end() ? ours->text : first_line,
                    "let it have float map(vec3 p), vec3 albedo(vec3 p) or void mainImage(out vec4 "
                    "color, in vec2 pixel) with just these parameters");
@@ -79,9 +80,10 @@ void set_lights(gl::Program& program, std::span<const ShaderLight> lights) {
 }
 
 PixelNotes::PixelNotes(float notes) {
-  const auto bits = static_cast<std::uint64_t>(notes);
-  inside = bits & 1, cut = bits & 2, unfinished = bits & 4;
-  steps = bits >> 3;
+  // A shader that did not come to its end has written anything.
+  const auto bits = notes >= 1 && notes < 0x1p24f ? static_cast<std::uint64_t>(notes) : 0;
+  inside = bits & 2, cut = !(bits & 1) || (bits & 4), unfinished = bits & 8;
+  steps = bits >> 4;
 }
 
 void refuse_cut_loops(const FieldText& field, const std::string& renderer, std::uint64_t cut,

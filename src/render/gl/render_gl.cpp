@@ -18,8 +18,13 @@ void check_method(const ShadowOptions& shadows) {
                      "use --device cpu, or --light-samples");
 }
 
-const Camera& camera_of(const Scene& scene, const RenderOptions& options) {
-  return scene.cameras.at(static_cast<std::size_t>(options.camera));
+// Only its distance matters to a probe, which may do without one.
+Camera camera_of(const Scene& scene, const RenderOptions& options) {
+  const auto index = static_cast<std::size_t>(options.camera);
+  if (index < scene.cameras.size()) return scene.cameras[index];
+  Camera camera;
+  camera.position = {0, 0, 5};
+  return camera;
 }
 
 std::string with_warning(const RenderOptions& options, std::uint64_t unfinished) {
@@ -32,6 +37,8 @@ std::string with_warning(const RenderOptions& options, std::uint64_t unfinished)
 
 RenderResult render_gl(const Scene& scene, const RenderOptions& options, Entry entry,
                        Progress& progress, const gl::Patience& patience) {
+  if (static_cast<std::size_t>(options.camera) >= scene.cameras.size())
+    throw InputError("the scene has no such camera", "give it one");
   const FieldText field = field_text(scene, camera_of(scene, options), entry == Entry::map);
   if (entry == Entry::main_image && !field.own_picture())
     throw InputError("the scene has no shader with mainImage", "leave out --entry");

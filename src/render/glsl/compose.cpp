@@ -20,13 +20,8 @@ std::string user_text(const UserShader& user) {
   std::string text;
   for (const std::string& channel : user.channels)
     text += "uniform highp sampler2D " + channel + ";\n";
-  text += fmt::format("#line 1 {}\n{}\n#line 1 0\nprecision highp float;\nprecision highp int;\n",
-                      user_source, user.code);
-  // What it calls by macros must not change our text.
-  for (const std::string& macro : user.macros)
-    if (macro != "map" && macro != "albedo" && macro != "mainImage")
-      text += "#undef " + macro + '\n';
-  return text;
+  text += fmt::format("#line 1 1\n{}\n#line {} 0\n", user.code, first_line_of_ours);
+  return text + "precision highp float;\nprecision highp int;\n" + without_macros(user);
 }
 
 bool by_points(const ShadowOptions& shadows) { return shadows.kind == ShadowKind::area; }
@@ -55,7 +50,7 @@ std::string field_functions(const FieldText& field, const std::vector<ShaderLigh
 
 std::string compose_shader(const FieldText& field, const std::vector<ShaderLight>& lights,
                            const ShadowOptions& shadows, ShaderTask task) {
-  std::string text = "#version 300 es\n";
+  std::string text = fmt::format("#version 300 es\n#line {} 0\n", first_line_of_ours);
   if (by_points(shadows)) text += "#define PNB_BY_POINTS\n";
   if (field.glossy) text += "#define PNB_GLOSSY\n";
   if (task == ShaderTask::picture_with_layers) text += "#define PNB_LAYERS\n";

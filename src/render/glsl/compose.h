@@ -11,8 +11,9 @@ namespace penumbra {
 
 enum class ShaderTask { picture, picture_with_layers, probe, own_picture };
 
-/// The number that compile messages give to lines of the person's file; ours is 0.
-inline constexpr int user_source = 1;
+/// Compile messages give smaller numbers to lines of the person's file. (Some drivers forget the
+/// number of the source, so it does not tell.)
+inline constexpr int first_line_of_ours = 1'000'000;
 
 /// A whole GLSL ES 3.00 fragment shader.
 std::string compose_shader(const FieldText& field, const std::vector<ShaderLight>& lights,

@@ -104,7 +104,7 @@ std::string shadertoy_text(const Scene& scene, const FieldText& field, const Ren
   if (field.glossy) text += "#define PNB_GLOSSY\n";
   text += "#define pnb_zero min(iFrame, 0)  // keeps compilers from unrolling\n\n";
   text += settings(scene, field, options, exposure_ev, ambient);
-  if (field.user) text += '\n' + field.user->code + '\n';
+  if (field.user) text += '\n' + field.user->code + '\n' + without_macros(*field.user);
   text += field.generated;
   text += "\n#define PENUMBRA_MAP pnb_map\n#define PENUMBRA_STEPS pnb_march_steps\n\n";
   text += shader_text("soft_shadow.glsl");

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 pnb_out0;  // its colour, notes
 void main() {
   vec4 color = vec4(0.0, 0.0, 0.0, 1.0);
   mainImage(color, floor(gl_FragCoord.xy) + pnb_tile + pnb_in_pixel);
-  pnb_out0 = vec4(color.rgb, pnb_loops_are_cut() ? 2.0 : 0.0);
+  pnb_out0 = vec4(color.rgb, pnb_loops_are_cut() ? 5.0 : 1.0);
 }

@@ -160,4 +160,12 @@ UserShader read_user_shader(const std::string& file, const std::string& text) {
   return shader;
 }
 
+std::string without_macros(const UserShader& shader) {
+  std::string text;
+  for (const std::string& macro : shader.macros)
+    if (macro != "map" && macro != "albedo" && macro != "mainImage")
+      text += "#undef " + macro + '\n';
+  return text;
+}
+
 }  // namespace penumbra

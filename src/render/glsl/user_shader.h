@@ -23,4 +23,8 @@ struct UserShader {
 /// InputError if there is neither map nor mainImage, or if map does not return float.
 UserShader read_user_shader(const std::string& file, const std::string& text);
 
+/// #undef of its macros, to stand between its code and ours. map, albedo and mainImage may be
+/// macros.
+std::string without_macros(const UserShader& shader);
+
 }  // namespace penumbra
