@@ -17,15 +17,13 @@ int rows(const LightSamples& samples) {
 PointPatterns::PointPatterns(int count, std::uint32_t seed, int width, int height)
     : samples_(count, seed), points_(kRow, rows(samples_)), patterns_(width, height) {
   std::vector<float> texels(static_cast<std::size_t>(kRow) * rows(samples_) * 4);
-  SamplePattern unturned = samples_.pattern(0);
-  const Vec2* squares = samples_.table(0);
-  // The disks of all tables follow one another as their squares do.
-  const Vec2* disks =
-      unturned.disk - static_cast<std::ptrdiff_t>(unturned.table) * samples_.count();
-  for (int i = 0; i < samples_.count() * samples_.table_count(); ++i) {
-    float* texel = &texels[static_cast<std::size_t>(i) * 4];
-    texel[0] = squares[i].x, texel[1] = squares[i].y;
-    texel[2] = disks[i].x, texel[3] = disks[i].y;
+  float* texel = texels.data();
+  for (int t = 0; t < samples_.table_count(); ++t) {
+    const SamplePattern table = samples_.table(t);
+    for (int i = 0; i < samples_.count(); ++i, texel += 4) {
+      texel[0] = table.square_x[i], texel[1] = table.square_y[i];
+      texel[2] = table.disk_x[i], texel[3] = table.disk_y[i];
+    }
   }
   points_.write(kRow, rows(samples_), texels);
 }
