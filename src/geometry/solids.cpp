@@ -67,6 +67,13 @@ Surface World::solid_surface(const Ray& ray, const Hit& hit) const {
   s.position = ray.origin + ray.direction * hit.t;
   Vec3 normal;
   solids_->normal(std::span(&s.position, 1), std::span(&normal, 1));
+  // Back onto the surface: the ray's t carries the error of its whole length. Where fields blend or
+  // are divided by their slope they grow slower than the way.
+  const float way = 64 * epsilon_at(s.position);
+  const Vec3 points[] = {s.position, s.position + normal * way};
+  float f[2];
+  solids_->distance(points, f);
+  s.position = s.position - normal * (f[0] / std::clamp((f[1] - f[0]) / way, 0.1f, 1.0f));
   s.front = dot(normal, ray.direction) < 0;
   s.normal = s.front ? normal : -normal;
   s.shading_normal = s.normal;

@@ -53,7 +53,7 @@ float World::epsilon_at(const Vec3& p) const {
 
 float World::roundings() const {
   // Where a march ends is less exact than where a ray meets a triangle.
-  return solids_ ? 0x1p-19f : 0x1p-21f;
+  return solids_ ? 0x1p-18f : 0x1p-21f;
 }
 
 std::size_t World::memory_bytes() const {
