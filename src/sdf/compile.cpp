@@ -274,7 +274,8 @@ class TreeWriter {
     const Vec3d& t = context.at.offset;
     const bool is_mirror = node.op == SdfOp::mirror;
     const Vec3d v = is_mirror ? vec(n) : vec(n) * context.at.scale;
-    out_.act(is_mirror ? Op::fold : Op::elongate, context.point_slot, {t.x, t.y, t.z, v.x, v.y, v.z});
+    out_.act(is_mirror ? Op::fold : Op::elongate, context.point_slot,
+             {t.x, t.y, t.z, v.x, v.y, v.z});
     push_act(Op::pop, context.point_slot);
     push_child(node.first_child, inside(context), {}, false);
   }
@@ -296,10 +297,12 @@ class TreeWriter {
 
   void repeat(const SdfNode& node, Context context) {
     CopyCounts counts = copies_of(tree_, node, bounds_);
+    bool is_exact = true;  // one copy suffices, and the field does not jump between copies
     int total = 1;
     for (const int c : counts.along) total *= std::max(c, 1);
     if (total > 1 && context.copies * total > most_copies) {
       warn_of_copies();
+      is_exact = false;
       for (int& c : counts.along) c = std::min(c, 1);
       total = 1;
     }
@@ -308,6 +311,7 @@ class TreeWriter {
     for (int copy = 8; copy-- > 0;) {
       Task task;
       task.kind = Task::copy;
+      for (int i = 0; i < 3; ++i) task.constants[3 + i] = counts.along[i] == 1 && is_exact;
       task.node = static_cast<std::uint32_t>(&node - tree_.nodes.data());
       task.context = context;
       if (copy > 0) task.attach = {Join::min, 0, begin};
@@ -333,7 +337,8 @@ class TreeWriter {
     const auto& next = task.constants;
     out_.act(Op::nearest_copy, context.point_slot,
              {t.x, t.y, t.z, size.x, size.y, size.z, inverse(0), inverse(1), inverse(2), limit(0),
-              limit(1), limit(2), next[0], next[1], next[2]});
+              limit(1), limit(2), next[0], next[1], next[2], next[3], next[4], next[5]},
+             context.stretch);
     push_act(Op::pop, context.point_slot);
     push_child(node.first_child, inside(context), {}, false);
   }

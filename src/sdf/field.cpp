@@ -63,8 +63,8 @@ Regions regions_for(const FieldData& data, const Scene& scene, const FieldOption
   RegionLimits limits;
   limits.bytes = options.region_bytes;
   limits.enabled = options.prune;
-  return build_regions(data.tape, enlarged(box, 0.03f * box.diagonal()),
-                       region_of_rays(scene, box), limits);
+  return build_regions(data.tape, enlarged(box, 0.03f * box.diagonal()), region_of_rays(scene, box),
+                       limits);
 }
 
 struct Columns {
@@ -154,7 +154,8 @@ std::size_t Field::code_size() const { return data_->tape.code.size(); }
 std::size_t Field::region_codes() const { return data_->regions.codes.size(); }
 
 std::size_t Field::memory_bytes() const {
-  std::size_t bytes = sizeof(FieldData) + data_->tape.memory_bytes() + data_->regions.memory_bytes();
+  std::size_t bytes =
+      sizeof(FieldData) + data_->tape.memory_bytes() + data_->regions.memory_bytes();
   for (const auto& mesh : data_->tape.meshes) bytes += mesh->memory_bytes();
   return bytes;
 }

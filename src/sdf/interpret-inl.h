@@ -143,7 +143,8 @@ HWY_NOINLINE P moved_point(Op op, const P& p, const float* c, F& e) {
   P q = from(p, c);
   switch (op) {
     case Op::turn:
-      return {mad(q.x, c[3], mad(q.y, c[4], q.z * c[5])), mad(q.x, c[6], mad(q.y, c[7], q.z * c[8])),
+      return {mad(q.x, c[3], mad(q.y, c[4], q.z * c[5])),
+              mad(q.x, c[6], mad(q.y, c[7], q.z * c[8])),
               mad(q.x, c[9], mad(q.y, c[10], q.z * c[11]))};
     case Op::stretch:
       return {q.x * c[3], q.y * c[4], q.z * c[5]};
@@ -217,11 +218,13 @@ struct ValueMachine {
   HWY_INLINE F unbend(const F& e, const F& a, const Tape&, Word) { return beyond(e, a); }
   HWY_INLINE F stored(const F& e) { return e; }
   HWY_INLINE void before_join(std::size_t, const F&, const F&) {}
+  HWY_INLINE void enter(const Tape&, Word, const float*, const P&) {}
+  HWY_INLINE void leave(std::uint32_t) {}
 };
 
 template <class Machine, class Acc>
-HWY_NOINLINE void act(const Tape& tape, Machine& machine, Word w, Op op, const float* record, P& p, Acc& acc,
-                      const Slots<Acc>& slots) {
+HWY_NOINLINE void act(const Tape& tape, Machine& machine, Word w, Op op, const float* record, P& p,
+                      Acc& acc, const Slots<Acc>& slots) {
   const Header& header = *reinterpret_cast<const Header*>(record);
   const float* c = record + 4;
   switch (op) {
@@ -252,6 +255,7 @@ HWY_NOINLINE void act(const Tape& tape, Machine& machine, Word w, Op op, const f
     default: {
       F unused;
       slots.points[header.slot] = p;
+      machine.enter(tape, w, record, p);
       p = moved_point(op, p, c, unused);
     }
   }
@@ -273,6 +277,7 @@ HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::si
       acc = machine.join(join_of(w), header, acc, v);
     } else if (op == Op::pop) {
       p = slots.points[header.slot];
+      machine.leave(header.slot);
     } else if (op == Op::spill) {
       slots.values[header.slot] = acc;
     } else if (op == Op::restore) {

@@ -7,6 +7,8 @@
 #define PENUMBRA_SDF_INTERVALS_INL_H
 #endif
 
+#include <vector>
+
 #include "sdf/interpret-inl.h"
 #include "sdf/prune.h"
 
@@ -23,9 +25,11 @@ struct IntervalMachine {
   using Acc = Interval;
   F radius, slack;
   Ranges* out;
+  F doubt = 0.0f;  ///< added to every reach; large where a cell spans two copies of a repetition
+  std::vector<F> outer_doubt{};
 
   HWY_INLINE Interval about(const F& v, const Tape& tape, Word w) const {
-    const F reach = radius * tape.info[tape.place(w)].lipschitz + mad(abs(v), 1e-5f, slack);
+    const F reach = radius * tape.info[tape.place(w)].lipschitz + mad(abs(v), 1e-5f, slack) + doubt;
     return {v - reach, v + reach};
   }
   HWY_INLINE Interval acc_of(const Tape& tape, Word w, const Header&, const F& v) const {
@@ -33,8 +37,8 @@ struct IntervalMachine {
   }
   HWY_INLINE Interval join(Join join, const Header& h, const Interval& a, const Interval& v) const {
     ValueMachine machine;
-    const bool negative = join == Join::load_negative || join == Join::max_negative ||
-                          join == Join::smax_negative;
+    const bool negative =
+        join == Join::load_negative || join == Join::max_negative || join == Join::smax_negative;
     return {machine.join(join, h, a.lo, negative ? v.hi : v.lo),
             machine.join(join, h, a.hi, negative ? v.lo : v.hi)};
   }
@@ -59,6 +63,25 @@ struct IntervalMachine {
     store(a.lo, r.acc_lo), store(a.hi, r.acc_hi);
     store(v.lo, r.v_lo), store(v.hi, r.v_hi);
   }
+  /// One copy of a repetition jumps at the borders of its cells, the next one in their middle too.
+  void enter(const Tape& tape, Word w, const float* record, const P& p) {
+    const Header& header = *reinterpret_cast<const Header*>(record);
+    if (outer_doubt.size() <= header.slot) outer_doubt.resize(header.slot + std::size_t{1});
+    outer_doubt[header.slot] = doubt;
+    if (header.op != Op::nearest_copy) return;
+    const float* c = record + 4;
+    const P q = from(p, c);
+    const F reach = radius * (1.001f * tape.info[tape.place(w)].lipschitz) + slack;
+    const F* along[3] = {&q.x, &q.y, &q.z};
+    for (int i = 0; i < 3; ++i) {
+      if (c[3 + i] == 0 || c[15 + i] != 0) continue;
+      const float halves = 2 * c[6 + i];
+      const F first = floor((*along[i] - reach) * halves),
+              last = floor((*along[i] + reach) * halves);
+      doubt = select(first < last, 1e30f, doubt);
+    }
+  }
+  void leave(std::uint32_t slot) { doubt = outer_doubt[slot]; }
 };
 
 }  // namespace penumbra::sdf::HWY_NAMESPACE

@@ -54,8 +54,8 @@ void trace_rays(const FieldData& field, std::span<const MarchRay> rays, std::spa
   march(field, rays, steps, tracer);
 }
 
-void occluded_rays(const FieldData& field, std::span<const MarchRay> rays,
-                   std::span<MarchHit> out, int steps) {
+void occluded_rays(const FieldData& field, std::span<const MarchRay> rays, std::span<MarchHit> out,
+                   int steps) {
   Tracer<true> tracer(out);
   march(field, rays, steps, tracer);
 }

@@ -27,17 +27,23 @@ struct M {
 struct F {
   V v[vectors];
   F() = default;
+  // Whole vectors, for the compiler's own copies come in halves that stall the loads after them.
+  HWY_INLINE F(const F& other) { *this = other; }
+  HWY_INLINE F& operator=(const F& other) {
+    for (int i = 0; i < vectors; ++i) v[i] = other.v[i];
+    return *this;
+  }
   HWY_INLINE F(float x) {
     for (int i = 0; i < vectors; ++i) v[i] = hn::Set(D(), x);
   }
 };
 
-#define PENUMBRA_LANEWISE(expression)               \
-  F r;                                              \
+#define PENUMBRA_LANEWISE(expression)                      \
+  F r;                                                     \
   for (int i = 0; i < vectors; ++i) r.v[i] = (expression); \
   return r
-#define PENUMBRA_MASKWISE(expression)               \
-  M r;                                              \
+#define PENUMBRA_MASKWISE(expression)                      \
+  M r;                                                     \
   for (int i = 0; i < vectors; ++i) r.v[i] = (expression); \
   return r
 
@@ -108,7 +114,9 @@ struct P {
 };
 HWY_INLINE F dot(const P& a, const P& b) { return mad(a.x, b.x, mad(a.y, b.y, a.z * b.z)); }
 HWY_INLINE F length(const F& x, const F& y) { return sqrt(mad(x, x, y * y)); }
-HWY_INLINE F length(const F& x, const F& y, const F& z) { return sqrt(mad(x, x, mad(y, y, z * z))); }
+HWY_INLINE F length(const F& x, const F& y, const F& z) {
+  return sqrt(mad(x, x, mad(y, y, z * z)));
+}
 HWY_INLINE F clamp(const F& x, const F& lo, const F& hi) { return min(max(x, lo), hi); }
 /// p − c for constants c.
 HWY_INLINE P from(const P& p, const float* c) { return {p.x - c[0], p.y - c[1], p.z - c[2]}; }

@@ -42,7 +42,8 @@ void add_profile(Constants& c, SdfProfile profile, Numbers n, double scale) {
     return;
   }
   std::vector<Point2> points;
-  for (std::size_t i = 0; i + 1 < n.size(); i += 2) points.push_back({n[i] * scale, n[i + 1] * scale});
+  for (std::size_t i = 0; i + 1 < n.size(); i += 2)
+    points.push_back({n[i] * scale, n[i + 1] * scale});
   add_outline(c, points);
 }
 
@@ -54,8 +55,8 @@ Leaf flat(const std::vector<Vec3>& vertices) {
   Vec3d normal;
   const Vec3d origin(vertices[0]);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    normal += cross(Vec3d(vertices[i]) - origin,
-                    Vec3d(vertices[(i + 1) % vertices.size()]) - origin);
+    normal +=
+        cross(Vec3d(vertices[i]) - origin, Vec3d(vertices[(i + 1) % vertices.size()]) - origin);
   const Vec3d w = normalize(normal), u = normalize(Vec3d(vertices[1]) - origin), v = cross(w, u);
   Constants c;
   c.add(origin).add(u).add(v).add(w);
@@ -135,9 +136,8 @@ Leaf leaf_of(const SdfTree& tree, const SdfNode& node, const Placement& at) {
     default:
       c.add(n[3] * s);
       add_profile(c, node.profile, tree.profile_numbers(node), s);
-      return {with_profile(
-                  node.op == SdfOp::extrusion ? Op::extrude_circle : Op::revolve_circle,
-                  node.profile),
+      return {with_profile(node.op == SdfOp::extrusion ? Op::extrude_circle : Op::revolve_circle,
+                           node.profile),
               std::move(c.list)};
   }
 }

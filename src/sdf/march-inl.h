@@ -98,12 +98,10 @@ class Tracer {
   void begin(int lane, const Ray& ray, float& t, float& t_max) {
     t = ray.t_min, t_max = ray.t_max;
     a_[lane] = ray.t_min, fa_[lane] = 0, slope_[lane] = -1, fb_[lane] = 0;
-    scale_[lane] = 3e-7f * std::max({std::abs(ray.origin.x), std::abs(ray.origin.y),
-                                     std::abs(ray.origin.z)});
+    scale_[lane] =
+        3e-7f * std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
   }
-  void save() {
-    store(a, a_), store(fa, fa_), store(slope, slope_), store(b, b_), store(fb, fb_);
-  }
+  void save() { store(a, a_), store(fa, fa_), store(slope, slope_), store(b, b_), store(fb, fb_); }
   void load() {
     a = HWY_NAMESPACE::load(a_), fa = HWY_NAMESPACE::load(fa_);
     slope = HWY_NAMESPACE::load(slope_), b = HWY_NAMESPACE::load(b_);
@@ -142,9 +140,7 @@ class Tracer {
     return narrow(w, h, way, failed, touches, crossed, narrowing, miss, start, epsilon);
   }
 
-  void keep(const Way&, const F& steps) {
-    store(place, at_), store(steps, steps_);
-  }
+  void keep(const Way&, const F& steps) { store(place, at_), store(steps, steps_); }
   void finish(int lane, std::size_t i, bool out_of_steps) {
     const bool is_hit = !out_of_steps && (hits >> lane & 1);
     out_[i] = {at_[lane], static_cast<std::uint16_t>(steps_[lane]), is_hit, out_of_steps};
@@ -240,7 +236,8 @@ class Shadow : public ShadowState {
     if constexpr (Kind == ShadowMarch::classic) return classic(way, h);
     if constexpr (Kind == ShadowMarch::improved) return improved(way, h);
     if constexpr (Kind == ShadowMarch::blog) return blog(way, h);
-    if constexpr (Kind == ShadowMarch::inner) return inner(way, h, options_.least_step, options_.most_step);
+    if constexpr (Kind == ShadowMarch::inner)
+      return inner(way, h, options_.least_step, options_.most_step);
     return inner_abs(way, h);
   }
   void finish(int lane, std::size_t i, bool out_of_steps) {

@@ -11,7 +11,7 @@ namespace penumbra::sdf {
 struct MarchRay {
   Vec3 origin;
   float t_min = 0;
-  Vec3 direction;  ///< unit
+  Vec3 direction;   ///< unit
   float t_max = 0;  ///< may be infinite in shadow marches of bounded length only
 };
 
@@ -45,11 +45,11 @@ void clear_ways(const Field& field, std::span<const MarchRay> axes, float slope,
 enum class ShadowMarch : std::uint8_t { classic, improved, inner, blog, inner_abs };
 
 struct ShadowRay {
-  Vec3 origin;      ///< the shaded point
+  Vec3 origin;  ///< the shaded point
   float mint = 0.01f;
-  Vec3 direction;   ///< unit, to the light's centre
+  Vec3 direction;  ///< unit, to the light's centre
   float maxt = 0;
-  float w = 0;      ///< tangent of half the light's angle; k = 1 / w
+  float w = 0;  ///< tangent of half the light's angle; k = 1 / w
 };
 
 struct ShadowResult {
@@ -59,8 +59,8 @@ struct ShadowResult {
 };
 
 struct ShadowOptions {
-  int steps = 256;  ///< 1 … 65535
-  float hit = 0.001f;             ///< classic, improved; the blog's is blog_hit
+  int steps = 256;     ///< 1 … 65535
+  float hit = 0.001f;  ///< classic, improved; the blog's is blog_hit
   float blog_hit = 0.0001f;
   float least_step = 0.005f, most_step = 0.5f;  ///< inner
 };

@@ -38,7 +38,9 @@ struct OwnerMachine {
     }
     return r;
   }
-  HWY_INLINE Owned with(const Owned& a, const F& value) const { return {value, a.surface, a.blend}; }
+  HWY_INLINE Owned with(const Owned& a, const F& value) const {
+    return {value, a.surface, a.blend};
+  }
   HWY_INLINE Owned multiply(const Owned& a, float x) const { return with(a, a.value * x); }
   HWY_INLINE Owned onion(const Owned& a, float t) const { return with(a, abs(a.value) - t); }
   HWY_INLINE Owned round(const Owned& a, float r) const { return with(a, a.value - r); }
@@ -50,28 +52,26 @@ struct OwnerMachine {
   }
   HWY_INLINE Owned stored(const F& e) const { return {e, 0.0f, 0.0f}; }
   HWY_INLINE void before_join(std::size_t, const Owned&, const Owned&) {}
+  HWY_INLINE void enter(const Tape&, Word, const float*, const P&) {}
+  HWY_INLINE void leave(std::uint32_t) {}
 };
 
 HWY_INLINE void find_owners(const FieldData& field, const P& p, std::size_t count,
                             std::uint32_t* surface, std::uint8_t* blended) {
-  HWY_ALIGN std::uint32_t code[lanes];
   HWY_ALIGN float owner[lanes], blend[lanes];
-  Sampler(field).find_codes(p, code);
+  Sampler::Groups groups;
+  Sampler(field).find(p, count == lanes ? 0xffffu : (1u << count) - 1, groups);
   const Slots<Owned> slots = slots_for<Owned>(field.tape);
-  std::uint32_t left = count == lanes ? 0xffffu : (1u << count) - 1;
-  while (left) {
-    const std::uint32_t number = code[std::countr_zero(left)];
-    const Regions::Code& c = field.regions.codes[number];
+  for (int i = 0; i < groups.count; ++i) {
+    const Regions::Code& c = field.regions.codes[groups.code[i]];
     OwnerMachine machine;
     const Owned found =
         run(field.tape, machine, field.regions.words.data() + c.begin, c.count, p, slots);
     store(found.surface, owner), store(found.blend, blend);
-    for (std::uint32_t b = left; b; b &= b - 1) {
+    for (std::uint32_t b = groups.members[i]; b; b &= b - 1) {
       const int lane = std::countr_zero(b);
-      if (code[lane] != number) continue;
       surface[lane] = static_cast<std::uint32_t>(owner[lane]);
       blended[lane] = blend[lane] > 0;
-      left &= ~(1u << lane);
     }
   }
 }

@@ -170,8 +170,8 @@ class Pruner {
 
 }  // namespace
 
-void prune(const Tape& tape, std::span<const Word> code, const std::vector<Ranges>& ranges, int lane,
-           std::vector<Word>& out) {
+void prune(const Tape& tape, std::span<const Word> code, const std::vector<Ranges>& ranges,
+           int lane, std::vector<Word>& out) {
   Pruner(tape, code, ranges, lane, out).run();
 }
 

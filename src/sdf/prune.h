@@ -26,7 +26,7 @@ void ranges_in(const Tape& tape, std::span<const Word> code, const Cells& cells,
 /// A branch of min, max or their smooth forms goes where its range keeps it from the result; a
 /// branch of nested minima also where it stays above the whole minimum (Keeter 2020, Massively
 /// Parallel Rendering of Complex Closed-Form Implicit Surfaces, section 3, has the first).
-void prune(const Tape& tape, std::span<const Word> code, const std::vector<Ranges>& ranges, int lane,
-           std::vector<Word>& out);
+void prune(const Tape& tape, std::span<const Word> code, const std::vector<Ranges>& ranges,
+           int lane, std::vector<Word>& out);
 
 }  // namespace penumbra::sdf

@@ -12,8 +12,10 @@ namespace {
 
 constexpr int side = Regions::brick_side;
 constexpr int brick_cells = side * side * side;
-constexpr std::size_t short_enough = 5;  ///< words: a cell with no more is not cut further
-constexpr int most_levels = 2;           ///< of bricks
+constexpr std::size_t short_enough = 8;  ///< words: a cell with no more is not cut further
+/// Bytes for each word of the whole code: small fields are not worth long preparation.
+constexpr std::size_t bytes_per_word = 2048;
+constexpr int most_levels = 2;  ///< of bricks
 
 /// Codes found so far, each once.
 class CodeStore {
@@ -62,9 +64,7 @@ class CodeStore {
 /// Cells of a grid from `lo` up to `hi`, exclusive.
 struct Block {
   int lo[3], hi[3];
-  bool is_cell() const {
-    return hi[0] - lo[0] == 1 && hi[1] - lo[1] == 1 && hi[2] - lo[2] == 1;
-  }
+  bool is_cell() const { return hi[0] - lo[0] == 1 && hi[1] - lo[1] == 1 && hi[2] - lo[2] == 1; }
 };
 
 std::vector<Block> split(const Block& block) {
@@ -144,19 +144,25 @@ class Builder {
       return fill_with(grid, block, refined(cube.center, grid.size, code, 0));
     }
     const std::vector<Block> parts = split(block);
+    if (store_.is_full(limits_.bytes)) return fill_with(grid, block, store_.add(code));
     const auto codes = prune_all(code, cubes_of(grid, parts));
-    for (std::size_t i = 0; i < parts.size(); ++i) fill(grid, parts[i], codes[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      fill(grid, parts[i], is_worth_keeping(codes[i], code) ? codes[i] : code);
+  }
+
+  // Long codes that are hardly shorter than the one around them would only cost memory.
+  static bool is_worth_keeping(const std::vector<Word>& part, const std::vector<Word>& whole) {
+    return whole.size() < 16 || part.size() * 10 < whole.size() * 9;
   }
 
   void fill_with(const RegionGrid& grid, const Block& b, std::uint32_t entry) {
     for (int z = b.lo[2]; z < b.hi[2]; ++z)
       for (int y = b.lo[1]; y < b.hi[1]; ++y)
-        for (int x = b.lo[0]; x < b.hi[0]; ++x)
-          own_cells_(grid, x, y, z) = entry;
+        for (int x = b.lo[0]; x < b.hi[0]; ++x) top_entry(grid, x, y, z) = entry;
   }
-  std::uint32_t& own_cells_(const RegionGrid& grid, int x, int y, int z) {
-    return top_[grid.first + static_cast<std::uint32_t>(
-                                 x + grid.count[0] * (y + grid.count[1] * z))];
+  std::uint32_t& top_entry(const RegionGrid& grid, int x, int y, int z) {
+    return top_[grid.first +
+                static_cast<std::uint32_t>(x + grid.count[0] * (y + grid.count[1] * z))];
   }
 
   // The entry of a cell: its code, or a brick where smaller cells have shorter ones.
@@ -169,15 +175,16 @@ class Builder {
     for (int i = 0; i < brick_cells; ++i) {
       const Vec3 at(static_cast<float>(i % side), static_cast<float>(i / side % side),
                     static_cast<float>(i / (side * side)));
-      cubes.push_back({center + (at - Vec3(0.5f * (side - 1))) * part,
-                       0.5f * part * std::sqrt(3.0f)});
+      cubes.push_back(
+          {center + (at - Vec3(0.5f * (side - 1))) * part, 0.5f * part * std::sqrt(3.0f)});
     }
     const auto codes = prune_all(code, cubes);
     if (std::ranges::all_of(codes, [&](const auto& c) { return c.size() == code.size(); }))
       return own;
     std::uint32_t entries[brick_cells];
     for (std::size_t i = 0; i < brick_cells; ++i)
-      entries[i] = refined(cubes[i].center, part, codes[i], level + 1);
+      entries[i] = refined(cubes[i].center, part,
+                           is_worth_keeping(codes[i], code) ? codes[i] : code, level + 1);
     return store_.add_brick(entries);
   }
 
@@ -216,13 +223,15 @@ Regions build_regions(const Tape& tape, const Bounds& inner, const Bounds& outer
   CodeStore store(regions, tape.code);
   regions.cells = {0};
   if (!limits.enabled || tape.code.size() <= 1) return regions;
-  const double cells = std::clamp(200.0 * static_cast<double>(tape.code.size()), 4e3, 4e4);
+  const double cells = std::clamp(100.0 * static_cast<double>(tape.code.size()), 2e3, 3e4);
   regions.inner = grid_over(inner, cells, 1);
   regions.outer = grid_over(outer, cells / 2, 1 + cell_count(regions.inner));
   const std::uint32_t top = regions.outer.first + cell_count(regions.outer);
   regions.cells.resize(top);
   std::vector<std::uint32_t> entries(top, 0);
-  Builder builder(tape, regions, store, limits);
+  RegionLimits fair = limits;
+  fair.bytes = std::min(limits.bytes, regions.cells.size() * 4 + tape.code.size() * bytes_per_word);
+  Builder builder(tape, regions, store, fair);
   builder.top_ = entries.data();
   builder.fill(regions.inner);
   builder.fill(regions.outer);
@@ -240,10 +249,11 @@ std::uint32_t region_of(const Regions& regions, const Vec3& p) {
     if (!inside) continue;
     Vec3 cell(std::floor(at.x), std::floor(at.y), std::floor(at.z));
     std::uint32_t entry =
-        regions.cells[grid->first + static_cast<std::uint32_t>(
-                                        static_cast<int>(cell.x) +
-                                        grid->count[0] * (static_cast<int>(cell.y) +
-                                                          grid->count[1] * static_cast<int>(cell.z)))];
+        regions
+            .cells[grid->first + static_cast<std::uint32_t>(
+                                     static_cast<int>(cell.x) +
+                                     grid->count[0] * (static_cast<int>(cell.y) +
+                                                       grid->count[1] * static_cast<int>(cell.z)))];
     Vec3 rest = at - cell;
     while (entry & Regions::brick_bit) {
       rest *= static_cast<float>(side);
@@ -252,8 +262,9 @@ std::uint32_t region_of(const Regions& regions, const Vec3& p) {
         index[i] = std::min(static_cast<int>(rest[i]), side - 1);
         rest[i] -= static_cast<float>(index[i]);
       }
-      entry = regions.cells[(entry & ~Regions::brick_bit) +
-                            static_cast<std::uint32_t>(index[0] + side * (index[1] + side * index[2]))];
+      entry =
+          regions.cells[(entry & ~Regions::brick_bit) +
+                        static_cast<std::uint32_t>(index[0] + side * (index[1] + side * index[2]))];
     }
     return entry;
   }

@@ -16,8 +16,8 @@ struct RegionGrid {
   std::uint32_t first = 0;
 };
 
-/// Two grids, the inner one fine; a cell of them may be a brick of 4 × 4 × 4 smaller ones, and these
-/// again. Outside, the whole code. Equal codes are kept once.
+/// Two grids, the inner one fine; a cell of them may be a brick of 4 × 4 × 4 smaller ones, and
+/// these again. Outside, the whole code. Equal codes are kept once.
 struct Regions {
   static constexpr std::uint32_t brick_bit = 0x80000000;
   static constexpr int brick_side = 4;

@@ -30,8 +30,6 @@ Slots<A> slots_for(const Tape& tape) {
           reinterpret_cast<P*>(memory.data() + tape.value_slots * per_value)};
 }
 
-using I = hn::Vec<hn::RebindToSigned<D>>;
-
 class Sampler {
  public:
   explicit Sampler(const FieldData& field)
@@ -39,51 +37,75 @@ class Sampler {
 
   /// Lanes that are not active give anything. One copy of the machine for all callers.
   HWY_NOINLINE F distance(const P& p, std::uint32_t active) {
-    HWY_ALIGN std::uint32_t code[lanes];
-    find_codes(p, code);
+    Groups groups;
+    find(p, active, groups);
     F result;
-    for (bool first = true;; first = false) {
-      const std::uint32_t number = code[std::countr_zero(active)];
-      const std::uint32_t here = same(code, number);
-      const Regions::Code& c = regions_.codes[number];
+    for (int i = 0;;) {
+      const Regions::Code& c = regions_.codes[groups.code[i]];
       ValueMachine machine;
-      const F d =
-          run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
-      result = first ? d : select(mask_of(here), d, result);
-      if (HWY_LIKELY((active &= ~here) == 0)) return result;
+      const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
+      result = i == 0 ? d : select(mask_of(groups.members[i]), d, result);
+      if (HWY_LIKELY(++i == groups.count)) return result;
     }
   }
 
-  HWY_INLINE void find_codes(const P& p, std::uint32_t* code) const {
-    HWY_ALIGN std::int32_t cell[lanes];
-    const M in = cells_of(regions_.inner, p, cell, 0);
-    if (HWY_UNLIKELY(bits(in) != 0xffff)) {
-      HWY_ALIGN std::int32_t other[lanes];
-      cells_of(regions_.outer, p, other, 0);
-      const std::uint32_t inner = bits(in);
-      for (int i = 0; i < lanes; ++i)
-        if (!(inner >> i & 1)) cell[i] = other[i];
+  /// Lanes with the same code; every active lane is in one group.
+  struct Groups {
+    int count = 0;
+    std::uint32_t code[16], members[16];
+
+    HWY_INLINE void add(std::uint32_t number, std::uint32_t which) {
+      for (int i = 0; i < count; ++i)
+        if (code[i] == number) {
+          members[i] |= which;
+          return;
+        }
+      code[count] = number, members[count++] = which;
     }
-    const std::uint32_t* cells = regions_.cells.data();
-    std::uint32_t all = 0;
-    for (int i = 0; i < lanes; ++i) all |= code[i] = cells[cell[i]];
-    if (HWY_UNLIKELY(all & Regions::brick_bit)) enter_bricks(p, code);
+  };
+
+  HWY_INLINE void find(const P& p, std::uint32_t active, Groups& groups) const {
+    HWY_ALIGN std::int32_t cell[lanes];
+    const std::uint32_t inner = bits(cells_of(regions_.inner, p, cell)) & active;
+    std::uint32_t bricks = group(cell, inner, groups);
+    if (HWY_UNLIKELY(inner != active)) {
+      cells_of(regions_.outer, p, cell);
+      bricks |= group(cell, active & ~inner, groups);
+    }
+    if (HWY_UNLIKELY(bricks != 0)) enter_bricks(p, bricks, groups);
   }
 
  private:
-  static HWY_INLINE std::uint32_t same(const std::uint32_t* code, std::uint32_t number) {
-    const hn::CappedTag<std::uint32_t, 16> d;
+  // Adds the lanes by cell; gives those whose cell is a brick.
+  HWY_INLINE std::uint32_t group(const std::int32_t* cell, std::uint32_t left,
+                                 Groups& groups) const {
+    std::uint32_t bricks = 0;
+    while (left) {
+      const std::int32_t first = cell[std::countr_zero(left)];
+      const std::uint32_t here = same(cell, first) & left;
+      const std::uint32_t number = regions_.cells[static_cast<std::size_t>(first)];
+      if (number & Regions::brick_bit)
+        bricks |= here;
+      else
+        groups.add(number, here);
+      left &= ~here;
+    }
+    return bricks;
+  }
+
+  static HWY_INLINE std::uint32_t same(const std::int32_t* cell, std::int32_t value) {
+    const hn::RebindToSigned<D> d;
     std::uint32_t r = 0;
     for (int i = 0; i < vectors; ++i) {
       std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(d, hn::Eq(hn::Load(d, code + i * vector_lanes), hn::Set(d, number)), bytes);
+      hn::StoreMaskBits(d, hn::Eq(hn::Load(d, cell + i * vector_lanes), hn::Set(d, value)), bytes);
       r |= (bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8) << (i * vector_lanes);
     }
     return r;
   }
 
   // Index of each point's cell, 0 (the whole code) outside; the mask says which are inside.
-  HWY_INLINE M cells_of(const RegionGrid& g, const P& p, std::int32_t* cell, int) const {
+  HWY_INLINE M cells_of(const RegionGrid& g, const P& p, std::int32_t* cell) const {
     const F x = floor((p.x - g.lo.x) * g.inverse), y = floor((p.y - g.lo.y) * g.inverse),
             z = floor((p.z - g.lo.z) * g.inverse);
     const auto nx = static_cast<float>(g.count[0]), ny = static_cast<float>(g.count[1]),
@@ -96,11 +118,13 @@ class Sampler {
     return in;
   }
 
-  HWY_NOINLINE void enter_bricks(const P& p, std::uint32_t* code) const {
+  HWY_NOINLINE void enter_bricks(const P& p, std::uint32_t left, Groups& groups) const {
     HWY_ALIGN float x[lanes], y[lanes], z[lanes];
     store(p.x, x), store(p.y, y), store(p.z, z);
-    for (int i = 0; i < lanes; ++i)
-      if (code[i] & Regions::brick_bit) code[i] = region_of(regions_, {x[i], y[i], z[i]});
+    for (; left; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      groups.add(region_of(regions_, {x[i], y[i], z[i]}), 1u << i);
+    }
   }
 
   const FieldData& field_;

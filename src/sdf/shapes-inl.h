@@ -138,8 +138,9 @@ HWY_INLINE F rectangle(const F& x, const F& y, const float* c) {
   return corner(abs(x) - c[0], abs(y) - c[1]);
 }
 
-/// Quilez, "polygon": c[0] = count of edges; for each its end (x, y), the vector (ex, ey) to the end
-/// before, 1 / |e|² and the y of that end. Squared distance, and the mask of points inside (winding parity).
+/// Quilez, "polygon": c[0] = count of edges; for each its end (x, y), the vector (ex, ey) to the
+/// end before, 1 / |e|² and the y of that end. Squared distance, and the mask of points inside
+/// (winding parity).
 HWY_INLINE F polygon_square(const F& x, const F& y, const float* c, M& inside) {
   const int n = static_cast<int>(c[0]);
   F least = 1e30f;
@@ -165,8 +166,8 @@ HWY_INLINE F polygon(const F& x, const F& y, const float* c) {
   return select(inside, -d, d);
 }
 
-/// A flat polygon in space: c = a point of it, then the rows u, v, n of its frame (u along the first
-/// edge, n its normal), then the in-plane polygon.
+/// A flat polygon in space: c = a point of it, then the rows u, v, n of its frame (u along the
+/// first edge, n its normal), then the in-plane polygon.
 HWY_INLINE F flat_polygon(const P& p, const float* c) {
   const P q = from(p, c);
   const F x = mad(q.x, c[3], mad(q.y, c[4], q.z * c[5]));

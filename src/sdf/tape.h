@@ -60,7 +60,17 @@ enum class Op : std::uint8_t {
 inline bool is_shape(Op op) { return op < Op::spill; }
 
 /// How a value v joins the accumulator a.
-enum class Join : std::uint8_t { load, load_negative, min, max, max_negative, smin, smax, smax_negative, none };
+enum class Join : std::uint8_t {
+  load,
+  load_negative,
+  min,
+  max,
+  max_negative,
+  smin,
+  smax,
+  smax_negative,
+  none
+};
 
 /// Record offset in the pool in units of four floats (24 bits), Join (8 bits).
 using Word = std::uint32_t;

@@ -19,7 +19,11 @@ void TapeWriter::write(Op op, const Attach& attach, std::uint32_t slot, std::uin
   const std::size_t offset = tape.pool.size() / unit;
   if (offset + constants.size() / unit + 3 > offset_mask || slot > 0xffff)
     throw InputError("the distance field is too large", "use fewer nodes or repetitions");
-  Header header{op, {}, static_cast<std::uint16_t>(slot), surface, static_cast<float>(attach.k),
+  Header header{op,
+                {},
+                static_cast<std::uint16_t>(slot),
+                surface,
+                static_cast<float>(attach.k),
                 attach.k > 0 ? static_cast<float>(0.25 / attach.k) : 0.0f};
   tape.pool.resize(tape.pool.size() + unit);
   std::memcpy(&tape.pool[offset * unit], &header, sizeof header);

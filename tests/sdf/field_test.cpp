@@ -122,8 +122,7 @@ TEST(SdfField, NormalsPointAway) {
   for (Vec3& p : points) p = normalize(p);
   std::vector<Vec3> normals(points.size());
   field.normal(points, normals);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_LT(length(normals[i] - points[i]), 2e-3f);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LT(length(normals[i] - points[i]), 2e-3f);
 }
 
 TEST(SdfField, SmoothUnionsBlendMaterials) {
@@ -139,7 +138,8 @@ TEST(SdfField, SmoothUnionsBlendMaterials) {
   const auto right = field.surface({0.1f, 0.2f, 0});
   ASSERT_EQ(right.parts.size(), 2u);
   const float a = right.parts[0].material == 1 ? right.parts[0].weight : right.parts[1].weight;
-  const double da = std::hypot(1.1, 0.2) - 1, db = std::hypot(0.9, 0.2) - 1, h = 1 - (da - db) / 0.5;
+  const double da = std::hypot(1.1, 0.2) - 1, db = std::hypot(0.9, 0.2) - 1,
+               h = 1 - (da - db) / 0.5;
   EXPECT_NEAR(a, 1 - h * h / 2, 1e-3);
 }
 
@@ -154,8 +154,10 @@ TEST(SdfField, UnboundedTwistWarnsByName) {
 TEST(SdfField, AThousandLevelsDeep) {
   std::string root = R"({"shape": "sphere", "radius": 1})";
   for (int i = 0; i < 500; ++i)
-    root = R"({"op": "rotate", "rotate_deg": [0, 1, 0], "child": {"op": "smooth_intersection", "k": 0.01,
-        "children": [{"shape": "sphere", "center": [0.3, 0, 0], "radius": 1}, )" + root + "]}}";
+    root =
+        R"({"op": "rotate", "rotate_deg": [0, 1, 0], "child": {"op": "smooth_intersection", "k": 0.01,
+        "children": [{"shape": "sphere", "center": [0.3, 0, 0], "radius": 1}, )" +
+        root + "]}}";
   const Scene scene = scene_of(root);
   const Field field(scene);
   const Reference reference(scene.sdfs[0]);

@@ -34,7 +34,7 @@ class Reference {
       const double wx = x - v[2 * i], wy = y - v[2 * i + 1];
       const double h = clamp((wx * ex + wy * ey) / (ex * ex + ey * ey), 0, 1);
       d = std::min(d, (wx - ex * h) * (wx - ex * h) + (wy - ey * h) * (wy - ey * h));
-      const bool a = y >= v[2 * i + 1], b = y < v[2 * j + 1], c = ex * wy > ey * wx;
+      const bool a = y >= v[2 * i + 1], b = y<v[2 * j + 1], c = ex * wy> ey * wx;
       if ((a && b && c) || (!a && !b && !c)) s = -s;
     }
     return s * std::sqrt(d);

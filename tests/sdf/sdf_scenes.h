@@ -82,12 +82,16 @@ inline std::vector<std::string> operators() {
   const std::size_t simple = list.size();
   for (std::size_t i = 0; i < simple; ++i) {
     const std::string &a = list[i], &b = list[(i * 7 + 3) % simple];
-    list.push_back(R"({"op": "rotate", "rotate_deg": [10, 20, 30], "child": {"op": "difference", "children": [)" +
-                   rod + "," + a + "," + b + "]}}");
-    list.push_back(R"({"op": "union", "children": [)" + ball + R"(, {"op": "scale", "factor": 0.8, "child": )" +
-                   a + R"(}, {"op": "translate", "offset": [0.5, 0, 0], "child": {"op": "union", "children": [)" +
-                   b + "," + rod + "]}}]}");
-    list.push_back(R"({"op": "smooth_union", "k": 0.2, "children": [)" + a + "," + b + "," + ball + "]}");
+    list.push_back(
+        R"({"op": "rotate", "rotate_deg": [10, 20, 30], "child": {"op": "difference", "children": [)" +
+        rod + "," + a + "," + b + "]}}");
+    list.push_back(
+        R"({"op": "union", "children": [)" + ball +
+        R"(, {"op": "scale", "factor": 0.8, "child": )" + a +
+        R"(}, {"op": "translate", "offset": [0.5, 0, 0], "child": {"op": "union", "children": [)" +
+        b + "," + rod + "]}}]}");
+    list.push_back(R"({"op": "smooth_union", "k": 0.2, "children": [)" + a + "," + b + "," + ball +
+                   "]}");
     list.push_back(R"({"op": "twist", "rate": 0.7, "child": {"op": "intersection", "children": [)" +
                    brick + R"(, {"op": "round", "radius": 0.05, "child": )" + a + "}]}}");
   }
