@@ -16,6 +16,11 @@ find_package(jsoncpp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(FastFloat REQUIRED)
+# OpenVDB's own module lies where CMake does not look by itself.
+find_path(OPENVDB_MODULE_DIR FindOpenVDB.cmake PATH_SUFFIXES cmake/OpenVDB
+  PATHS /usr/lib /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE} REQUIRED)
+list(APPEND CMAKE_MODULE_PATH ${OPENVDB_MODULE_DIR})
+find_package(OpenVDB 10 REQUIRED COMPONENTS openvdb)
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
 if(PENUMBRA_TESTS)
   find_package(GTest REQUIRED)

@@ -3,7 +3,7 @@
 BUILD_PACKAGES="cmake ninja-build g++ pkg-config libembree-dev libtbb-dev libhwy-dev libtinygltf-dev
 libstb-dev libfast-float-dev libjsoncpp-dev libopenexr-dev libpng-dev
 zlib1g-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libbenchmark-dev libegl-dev
-libepoxy-dev libegl1 libgl1-mesa-dri"
+libopenvdb-dev libboost-iostreams-dev libepoxy-dev libegl1 libgl1-mesa-dri"
 CHECK_PACKAGES="clang-format-16 clang-tidy-16"
 
 say() { printf '%s\n' "$*"; }

@@ -3,6 +3,7 @@
 #include "geometry/cone_tree.h"
 #include "geometry/embree_scene.h"
 #include "sdf/field.h"
+#include "sdf/mesher.h"
 
 namespace penumbra {
 
@@ -15,8 +16,27 @@ std::shared_ptr<const sdf::Field> solids_of(const Scene& scene) {
   return std::make_shared<const sdf::Field>(scene, options);
 }
 
-std::shared_ptr<const sdf::Field> field_of(const Scene& scene) {
-  return std::make_shared<const sdf::Field>(scene);
+std::shared_ptr<const sdf::Field> field_of(const Scene& scene,
+                                           const sdf::ConversionOptions& conversions) {
+  sdf::FieldOptions options;
+  options.mesh_distance = sdf::mesh_distances(conversions);
+  return std::make_shared<const sdf::Field>(scene, options);
+}
+
+std::unique_ptr<const Scene> triangulate(const Scene& scene, const sdf::Field& solids,
+                                         const sdf::ConversionOptions& conversions) {
+  auto out = std::make_unique<Scene>(scene);
+  for (auto& part : sdf::meshes_of_field(solids, conversions.bounds, {conversions.voxel_size})) {
+    const auto mesh = static_cast<std::uint32_t>(out->meshes.size());
+    out->meshes.push_back(std::move(part.mesh));
+    out->instances.push_back({mesh, part.material, part.object, -1, {}});
+  }
+  return out;
+}
+
+float voxel_of(const sdf::Field& solids, const sdf::ConversionOptions& conversions) {
+  if (conversions.voxel_size) return static_cast<float>(*conversions.voxel_size);
+  return max_component(conversions.bounds.value_or(solids.bounds()).size()) / 128;
 }
 
 }  // namespace
@@ -25,10 +45,16 @@ World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
       bounds_(bounds_of(scene)),
       embree_(std::make_unique<EmbreeScene>(scene)),
-      cone_tree_(options.cone_tree ? std::make_unique<ConeTree>(scene) : nullptr),
       solids_(solids_of(scene)) {
+  if (options.cone_tree) {
+    if (solids_) {
+      triangulated_ = triangulate(scene, *solids_, options.conversions);
+      sagitta_ = 0.05f * voxel_of(*solids_, options.conversions);
+    }
+    cone_tree_ = std::make_unique<ConeTree>(triangulated_ ? *triangulated_ : scene);
+  }
   const bool only_solids = solids_ && scene.instances.empty() && scene.spheres.empty();
-  if (options.field) field_ = only_solids ? solids_ : field_of(scene);
+  if (options.field) field_ = only_solids ? solids_ : field_of(scene, options.conversions);
 }
 
 World::~World() = default;
@@ -49,6 +75,10 @@ float World::epsilon_at(const Vec3& p) const {
   // as its own, seen through a normal that was rounded too. Near the origin of a small scene the
   // vertices around it still have the scene's magnitude, a sixteenth of which counts.
   return roundings() * std::max(max_component(abs(p)), bounds_.diagonal() / 16);
+}
+
+float World::clearance_epsilon_at(const Vec3& p) const {
+  return std::max(epsilon_at(p), sagitta_);
 }
 
 float World::roundings() const {

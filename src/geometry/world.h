@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "geometry/hit.h"
 #include "scene/scene.h"
+#include "sdf/convert.h"
 
 struct RTCRay8;
 
@@ -49,8 +50,9 @@ class Field;
 
 /// What queries will be asked.
 struct WorldOptions {
-  bool cone_tree = true;  ///< clearances
-  bool field = false;     ///< distances to everything
+  bool cone_tree = true;  ///< clearances; distance fields become triangles for that
+  bool field = false;     ///< distances to everything; meshes become grids for that
+  sdf::ConversionOptions conversions;
 };
 
 /// Immutable once built; every query is thread-safe. Keeps a reference to the scene.
@@ -81,6 +83,8 @@ class World {
   /// How far from its true place a computed point near p may be, by floating-point error of
   /// coordinates of that size, metres. Whatever is nearer to a tangent plane lies on it.
   float epsilon_at(const Vec3& p) const;
+  /// The same for clearances: the triangles of distance fields stand over hollows that they span.
+  float clearance_epsilon_at(const Vec3& p) const;
   /// epsilon_at() per metre of p's greatest coordinate, where that decides.
   float roundings() const;
 
@@ -103,6 +107,8 @@ class World {
   const Scene& scene_;
   Bounds bounds_;
   std::unique_ptr<EmbreeScene> embree_;
+  std::unique_ptr<const Scene> triangulated_;  ///< with distance fields as triangles; may be null
+  float sagitta_ = 0;  ///< how far such triangles may stand over the surface, metres
   std::unique_ptr<ConeTree> cone_tree_;
   std::shared_ptr<const sdf::Field> solids_;  ///< the distance-field objects
   std::shared_ptr<const sdf::Field> field_;   ///< everything

@@ -68,7 +68,7 @@ ConeQuery Shadows::cone_query(const Receiver& receiver, const LightView& view) c
   query.distance = view.distance;
   query.outer = view.diameter_over_distance;
   query.horizon = receiver.normal;
-  query.epsilon = world_.epsilon_at(receiver.position);
+  query.epsilon = world_.clearance_epsilon_at(receiver.position);
   query.excluded_instance = view.own_instance;
   if (view.flat) {
     query.has_plane = true;
