@@ -2,7 +2,8 @@
 
 BUILD_PACKAGES="cmake ninja-build g++ pkg-config libembree-dev libtbb-dev libhwy-dev libtinygltf-dev
 libstb-dev libfast-float-dev libjsoncpp-dev libopenexr-dev libpng-dev
-zlib1g-dev libopenvdb-dev libboost-iostreams-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libbenchmark-dev"
+zlib1g-dev libopenvdb-dev libboost-iostreams-dev libcli11-dev libfmt-dev libgtest-dev
+libgmock-dev libbenchmark-dev"
 CHECK_PACKAGES="clang-format-16 clang-tidy-16"
 
 say() { printf '%s\n' "$*"; }

@@ -6,6 +6,7 @@
 
 #include "render/render.h"
 #include "scene/scene.h"
+#include "sdf/convert.h"
 
 namespace penumbra::app {
 
@@ -31,6 +32,7 @@ struct Arguments {
   std::string stats;  ///< file of --stats; empty = none
   int threads = 0;    ///< 0 = all cores
   bool quiet = false;
+  sdf::ConversionOptions conversion;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

@@ -16,8 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kCommands{"render", "probe", "info", "new"};
 constexpr std::array<std::string_view, 5> kLaterCommands{"bake", "view", "compare", "export",
                                                          "diff"};
-constexpr std::array<std::string_view, 5> kFieldOptions{"--mint", "--steps", "--k", "--variant",
-                                                        "--bounds"};
+constexpr std::array<std::string_view, 4> kFieldOptions{"--mint", "--steps", "--k", "--variant"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz or .stl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -64,6 +63,7 @@ void add_probe(CLI::App& app, Arguments& a) {
 void add_info(CLI::App& app, Arguments& a) {
   CLI::App& command = *app.add_subcommand("info", "Tell what was understood of a scene");
   add_file(command, "SCENE", a.scene, kScenes);
+  add_conversion_options(command, a);
 }
 
 void add_new(CLI::App& app, Arguments& a) {
