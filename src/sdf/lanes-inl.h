@@ -27,12 +27,6 @@ struct M {
 struct F {
   V v[vectors];
   F() = default;
-  // Whole vectors, for the compiler's own copies come in halves that stall the loads after them.
-  HWY_INLINE F(const F& other) { *this = other; }
-  HWY_INLINE F& operator=(const F& other) {
-    for (int i = 0; i < vectors; ++i) v[i] = other.v[i];
-    return *this;
-  }
   HWY_INLINE F(float x) {
     for (int i = 0; i < vectors; ++i) v[i] = hn::Set(D(), x);
   }
