@@ -161,6 +161,21 @@ TEST_F(Misuses, TooLargeASizeTellsWhatItNeedsBeforeLoading) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+TEST_F(Misuses, BoundsAndVoxels) {
+  const auto expect = [&](const std::string& option, const std::string& value,
+                          const std::string& line) {
+    expect_refused(penumbra({"info", scene, option, value}), 2, line);
+  };
+  const std::string remedy =
+      "; write it as --bounds -1,0,-1,1,2,1: the least x, y, z, then the greatest";
+  expect("--bounds", "0,0,0,1,1",
+         "--bounds: '0,0,0,1,1' is not six numbers of at most 1e9" + remedy);
+  expect("--bounds", "0,0,0,1,1,x",
+         "--bounds: '0,0,0,1,1,x' is not six numbers of at most 1e9" + remedy);
+  expect("--bounds", "0,0,0,1,0,1", "--bounds: 0,0,0,1,0,1 is empty along y" + remedy);
+  expect("--voxel-size", "0", "--voxel-size: 0 is out of range; give a number from 1e-09 to 1e+09");
+}
+
 TEST_F(Misuses, MissingScene) {
   const std::string name = folder / "none.json";
   expect_refused(penumbra({"render", name, "-o", folder / "a.png", "-q"}), 2,
