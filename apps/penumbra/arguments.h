@@ -7,6 +7,7 @@
 #include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "scene/scene.h"
+#include "sdf/convert.h"
 
 namespace penumbra::app {
 
@@ -36,6 +37,7 @@ struct Arguments {
   std::string stats;  ///< file of --stats; empty = none
   int threads = 0;    ///< 0 = all cores
   bool quiet = false;
+  sdf::ConversionOptions conversion;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

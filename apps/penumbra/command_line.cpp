@@ -16,7 +16,6 @@ namespace {
 // In the order of Command.
 constexpr std::array<std::string_view, 5> kCommands{"render", "probe", "info", "new", "export"};
 constexpr std::array<std::string_view, 4> kLaterCommands{"bake", "view", "compare", "diff"};
-constexpr std::array<std::string_view, 1> kLaterOptions{"--bounds"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -40,6 +39,7 @@ void add_render(CLI::App& app, Arguments& a) {
   add_shadow_options(command, a);
   add_light_options(command, a);
   add_picture_options(command, a);
+  add_conversion_options(command, a);
   add_run_options(command, a);
 }
 
@@ -54,6 +54,7 @@ void add_probe(CLI::App& app, Arguments& a) {
   add_shadow_options(command, a);
   add_light_options(command, a);
   add_picture_options(command, a);
+  add_conversion_options(command, a);
   // So that a script may pass both commands the same options; they do nothing here.
   for (CLI::Option* option : command.get_options())
     if (is_picture_option(option->get_name())) option->group("");
@@ -74,6 +75,7 @@ void add_export(CLI::App& app, Arguments& a) {
 void add_info(CLI::App& app, Arguments& a) {
   CLI::App& command = *app.add_subcommand("info", "Tell what was understood of a scene");
   add_file(command, "SCENE", a.scene, kScenes);
+  add_conversion_options(command, a);
 }
 
 void add_new(CLI::App& app, Arguments& a) {
@@ -119,8 +121,6 @@ std::vector<std::string> long_options(const CLI::App& command) {
 
 [[noreturn]] void refuse_option(const CLI::App& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
-  if (contains(kLaterOptions, name))
-    throw InputError(fmt::format("{} is not in this version", name), "leave it out");
   if (!name.starts_with('-'))
     throw InputError(fmt::format("'{}' is one file too many", argument),
                      fmt::format("see penumbra {} --help", command.get_name()));

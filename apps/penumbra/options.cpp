@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -69,6 +70,23 @@ AovRequest read_aov(const std::string& text) {
     throw InputError(fmt::format("--aov: {} does not end in .exr", aov.file),
                      fmt::format("write it as --aov {}={}.exr", aov.name, aov.name));
   return aov;
+}
+
+Bounds read_bounds(const std::string& text) {
+  const std::string remedy =
+      "write it as --bounds -1,0,-1,1,2,1: the least x, y, z, then the greatest";
+  const std::vector<std::string> parts = split(text, ',');
+  double numbers[6];
+  for (std::size_t i = 0; i < parts.size() || i < 6; ++i)
+    if (parts.size() != 6 || !read_number(parts[i], numbers[i]) || std::abs(numbers[i]) > 1e9)
+      throw InputError(fmt::format("--bounds: '{}' is not six numbers of at most 1e9", text),
+                       remedy);
+  const Bounds box{Vec3(Vec3d(numbers[0], numbers[1], numbers[2])),
+                   Vec3(Vec3d(numbers[3], numbers[4], numbers[5]))};
+  for (int i = 0; i < 3; ++i)
+    if (!(box.lo[i] < box.hi[i]))
+      throw InputError(fmt::format("--bounds: {} is empty along {}", text, "xyz"[i]), remedy);
+  return box;
 }
 
 void want_aov(const std::string& name, RenderOptions& options) {
@@ -257,6 +275,20 @@ void add_run_options(CLI::App& command, Arguments& a) {
       "--stats", "FILE.json", "", [&](auto& t) { a.stats = t; },
       "write counts, seconds and memory");
   command.add_flag("-q,--quiet", a.quiet, "say nothing but errors")->group("Run");
+}
+
+void add_conversion_options(CLI::App& command, Arguments& a) {
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    add_value(command, a, name, value, shown, read, help)->group("Distance fields");
+  };
+  add(
+      "--voxel-size", "METRES", "1/128 of the size",
+      [&](auto& t) { a.conversion.voxel_size = parse_number("--voxel-size", t, 1e-9, 1e9); },
+      "of the grids between meshes and distance fields");
+  add(
+      "--bounds", "X0,Y0,Z0,X1,Y1,Z1", "", [&](auto& t) { a.conversion.bounds = read_bounds(t); },
+      "what of a distance field becomes triangles");
 }
 
 }  // namespace penumbra::app

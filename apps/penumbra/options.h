@@ -13,6 +13,8 @@ void add_shadow_options(CLI::App& command, Arguments& arguments);
 void add_light_options(CLI::App& command, Arguments& arguments);
 void add_picture_options(CLI::App& command, Arguments& arguments);
 void add_run_options(CLI::App& command, Arguments& arguments);
+/// --voxel-size and --bounds.
+void add_conversion_options(CLI::App& command, Arguments& arguments);
 
 /// The names among add_picture_options, which mean nothing to `probe`.
 bool is_picture_option(const std::string& name);

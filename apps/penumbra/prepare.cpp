@@ -111,6 +111,7 @@ std::unique_ptr<World> build_world(const Scene& scene, const Arguments& argument
   options.cone_tree =
       kind == ShadowKind::parker || (kind == ShadowKind::area && scene.sdfs.empty());
   options.field = kind >= ShadowKind::sdf_classic;
+  options.conversions = arguments.conversion;
   auto world = std::make_unique<World>(scene, options);
   console.finish();
   return world;

@@ -20,7 +20,12 @@ void print(std::string_view text) {
                     "free some space or choose another output");
 }
 
-void run_info(const Arguments& arguments) { print(describe(load_scene(arguments.scene))); }
+void run_info(const Arguments& arguments) {
+  Scene scene = load_scene(arguments.scene);
+  for (std::string& text : sdf::describe_conversions(scene, arguments.conversion))
+    scene.report.conversions.push_back(std::move(text));
+  print(describe(scene));
+}
 
 void run_new(const Arguments& arguments) {
   const std::string& file = arguments.scene;

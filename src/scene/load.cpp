@@ -52,7 +52,11 @@ Scene read_as(const std::string& path, std::span<const Format> known) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
     throw InputError(Place{path}, "there is no such file", "check the name");
-  return format->read(path);
+  Scene scene = format->read(path);
+  const auto models = model_formats();
+  if (&*format >= models.data() && &*format < models.data() + models.size())
+    for (Mesh& mesh : scene.meshes) mesh.file = path;
+  return scene;
 }
 
 }  // namespace

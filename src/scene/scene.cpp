@@ -21,8 +21,7 @@ Bounds bounds_of(const Scene& scene) {
     bounds.grow(sphere.center - Vec3(sphere.radius));
     bounds.grow(sphere.center + Vec3(sphere.radius));
   }
-  for (const SdfTree& tree : scene.sdfs)
-    if (const Bounds box = bounds_of(tree); is_finite(box)) bounds.grow(box);
+  for (const SdfTree& tree : scene.sdfs) bounds.grow(bounds_of_finite_parts(tree));
   return bounds;
 }
 

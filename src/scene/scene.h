@@ -46,6 +46,7 @@ struct ExactPolygon {
 /// A triangle mesh of one material slot. Triangles wind counter-clockwise seen from the front.
 struct Mesh {
   std::string name;
+  std::string file;  ///< that it was read from; empty if it is in none of its own
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;           ///< per vertex, unit; empty = geometric
   std::vector<Vec2> uv[2];             ///< per vertex; may be empty

@@ -241,4 +241,21 @@ std::vector<Bounds> bounds_of_nodes(const SdfTree& tree) {
 
 Bounds bounds_of(const SdfTree& tree) { return bounds_of_nodes(tree).front(); }
 
+Bounds bounds_of_finite_parts(const SdfTree& tree) {
+  const std::vector<Bounds> bounds = bounds_of_nodes(tree);
+  Bounds all;
+  std::vector<std::uint32_t> parts{0};
+  while (!parts.empty()) {
+    const std::uint32_t i = parts.back();
+    parts.pop_back();
+    const SdfNode& node = tree.nodes[i];
+    if (bounds[i].empty()) continue;
+    if (is_finite(bounds[i]))
+      all.grow(bounds[i]);
+    else if (node.op == SdfOp::union_ || node.op == SdfOp::smooth_union)
+      for (std::uint32_t c = 0; c < node.child_count; ++c) parts.push_back(node.first_child + c);
+  }
+  return all;
+}
+
 }  // namespace penumbra

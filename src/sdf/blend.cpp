@@ -60,6 +60,7 @@ SurfaceAt blend_at(const FieldData& field, const Vec3& p) {
   std::vector<Mix> slots(tape.value_slots);
   Mix acc;
   for (std::size_t i = 0; i < code.size(); ++i) {
+    if (is_count(code[i])) continue;
     const Header& h = tape.header(code[i]);
     if (h.op == Op::spill) slots[h.slot] = acc;
     if (!is_shape(h.op) && h.op != Op::restore) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/rotation.h"
 #include "sdf/leaves.h"
@@ -53,7 +54,15 @@ struct Context {
 
 /// A node to write, or a record that is due once the node before it is written.
 struct Task {
-  enum Kind : std::uint8_t { visit, divided_visit, copy, act, restore } kind = visit;
+  enum Kind : std::uint8_t {
+    visit,
+    divided_visit,
+    copy,
+    group,
+    group_end,
+    act,
+    restore
+  } kind = visit;
   std::uint32_t node = 0;
   Context context{};
   Attach attach{};
@@ -91,6 +100,12 @@ class TreeWriter {
         return visit_divided(task);
       case Task::copy:
         return visit_copy(task);
+      case Task::group: {
+        const auto& c = task.constants;
+        return out_.begin_group({c[0], c[1], c[2]}, {c[3], c[4], c[5]}, task.attach.acc_begin);
+      }
+      case Task::group_end:
+        return out_.end_group();
       case Task::act: {
         const auto& c = task.constants;
         return out_.act(task.op, task.slot, {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]},
@@ -213,9 +228,75 @@ class TreeWriter {
     const double k = node.number_count > 0 ? tree_.numbers_of(node)[0] * context.at.scale : 0;
     const Attach rest{hard_unless(join_of(node.op), k), k,
                       joins_outer ? attach.acc_begin : out_.size()};
-    for (std::uint32_t c = node.child_count; c-- > 1;)
-      push_child(node.first_child + c, context, rest, divided);
-    push_child(node.first_child, context, first, divided);
+    std::vector<std::uint32_t> order(node.child_count);
+    std::iota(order.begin(), order.end(), node.first_child);
+    std::size_t grouped = order.size();
+    if (node.op == SdfOp::union_ && order.size() >= least_grouped && !context.at.is_turned())
+      grouped = std::max<std::size_t>(sort_by_place(order), 1);
+    push_groups({order.begin() + static_cast<std::ptrdiff_t>(grouped), order.end()}, context, rest);
+    for (std::size_t c = grouped; c-- > 1;) push_child(order[c], context, rest, divided);
+    push_child(order.front(), context, first, divided);
+  }
+
+  /// A union of fewer is not grouped.
+  static constexpr std::size_t least_grouped = 16;
+
+  // Is the field no less than the distance from the bounds? So it is for exact shapes.
+  bool is_exact_shape(std::uint32_t i) const {
+    const SdfOp op = tree_.nodes[i].op;
+    return signature_of(op).kind == SdfKind::shape && op != SdfOp::ellipsoid &&
+           is_finite(bounds_[i]);
+  }
+
+  // What can be grouped goes to the end, neighbours together (along the Morton curve); gives where
+  // that begins. min takes any order.
+  std::size_t sort_by_place(std::vector<std::uint32_t>& order) const {
+    const auto first = std::stable_partition(order.begin(), order.end(),
+                                             [&](auto i) { return !is_exact_shape(i); });
+    Bounds all;
+    for (auto i = first; i != order.end(); ++i) all.grow(bounds_[*i].center());
+    const Vec3 size = max(all.size(), Vec3(1e-30f));
+    const auto code = [&](std::uint32_t i) {
+      const Vec3 at = bounds_[i].center() - all.lo;
+      std::uint64_t morton = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto cell = static_cast<std::uint64_t>(1023 * at[axis] / max_component(size));
+        for (int bit = 0; bit < 10; ++bit) morton |= (cell >> bit & 1) << (3 * bit + axis);
+      }
+      return morton;
+    };
+    std::stable_sort(first, order.end(), [&](auto a, auto b) { return code(a) < code(b); });
+    return static_cast<std::size_t>(first - order.begin());
+  }
+
+  // Groups of 8, 64 and 512 shapes, each under its guard.
+  void push_groups(std::vector<std::uint32_t> nodes, const Context& context, const Attach& attach) {
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      for (const std::size_t group : {512, 64, 8})
+        if ((i + 1) % group == 0 || i + 1 == nodes.size()) push_group_end();
+      push_child(nodes[i], context, attach, true);
+      for (const std::size_t group : {8, 64, 512})
+        if (i % group == 0)
+          push_group(std::span(nodes).subspan(i, std::min(group, nodes.size() - i)), context,
+                     attach);
+    }
+  }
+
+  void push_group_end() { tasks_.emplace_back().kind = Task::group_end; }
+
+  void push_group(std::span<const std::uint32_t> nodes, const Context& context,
+                  const Attach& attach) {
+    Bounds box;
+    for (const std::uint32_t i : nodes) box.grow(bounds_[i]);
+    const Vec3d center = context.at.point(Vec3d(box.center()));
+    // With room for rounding, here and in the shapes' own values.
+    const Vec3d half = Vec3d(box.size()) * (0.5 * context.at.scale) * 1.0001 +
+                       Vec3d(1e-5 * max_component(abs(center)));
+    Task task;
+    task.kind = Task::group;
+    task.attach = attach;
+    task.constants = {center.x, center.y, center.z, half.x, half.y, half.z};
+    tasks_.push_back(task);
   }
 
   void unary(const SdfNode& node, Context context, const Attach& attach) {

@@ -15,12 +15,9 @@ namespace {
 Bounds bounds_in(const Scene& scene, const FieldOptions& options, bool& is_bounded) {
   Bounds bounds;
   for (const SdfTree& tree : scene.sdfs) {
+    bounds.grow(bounds_of_finite_parts(tree));
     const Bounds box = bounds_of(tree);
-    if (box.empty()) continue;
-    if (is_finite(box))
-      bounds.grow(box);
-    else
-      is_bounded = false;
+    is_bounded = is_bounded && (box.empty() || is_finite(box));
   }
   if (options.only_distance_fields) return bounds;
   for (const Sphere& s : scene.spheres) {
@@ -63,7 +60,7 @@ Regions regions_for(const FieldData& data, const Scene& scene, const FieldOption
   RegionLimits limits;
   limits.bytes = options.region_bytes;
   limits.enabled = options.prune;
-  return build_regions(data.tape, enlarged(box, 0.03f * box.diagonal()), region_of_rays(scene, box),
+  return build_regions(data.tape, enlarged(box, 0.15f * box.diagonal()), region_of_rays(scene, box),
                        limits);
 }
 

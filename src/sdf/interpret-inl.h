@@ -109,6 +109,15 @@ HWY_INLINE F shape_value(const Tape& tape, Op op, const P& p, const float* c) {
   }
 }
 
+/// Is the guard's box farther away than d everywhere? c = centre, half size.
+HWY_INLINE bool is_beyond(const P& p, const float* c, const F& d) {
+  const P q = from(p, c);
+  const F x = max(abs(q.x) - c[3], 0.0f), y = max(abs(q.y) - c[4], 0.0f),
+          z = max(abs(q.z) - c[5], 0.0f);
+  const F square = mad(x, x, mad(y, y, z * z)), far = max(d, 0.0f);
+  return bits(square > far * far) == 0xffff;
+}
+
 /// sin(fx x) sin(fy y) sin(fz z) times the amplitude.
 HWY_NOINLINE F displacement(const P& p, const float* c) {
   const P q = from(p, c);
@@ -190,6 +199,8 @@ HWY_INLINE F smooth_max(const F& a, const F& v, float k, float quarter_over_k) {
 /// The machine that evaluates: its accumulator is a value.
 struct ValueMachine {
   using Acc = F;
+  static constexpr bool skips = true;
+  HWY_INLINE const F& value(const F& a) const { return a; }
   HWY_INLINE F acc_of(const Tape&, Word, const Header&, const F& v) const { return v; }
   HWY_INLINE F join(Join join, const Header& h, const F& a, const F& v) {
     switch (join) {
@@ -275,6 +286,10 @@ HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::si
       const Acc v = machine.acc_of(tape, w, header, shape_value(tape, op, p, record + 4));
       machine.before_join(i, acc, v);
       acc = machine.join(join_of(w), header, acc, v);
+    } else if (op == Op::guard) {
+      ++i;
+      if constexpr (Machine::skips)
+        if (is_beyond(p, record + 4, machine.value(acc))) i += code[i] & ~count_mark;
     } else if (op == Op::pop) {
       p = slots.points[header.slot];
       machine.leave(header.slot);

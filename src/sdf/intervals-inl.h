@@ -23,6 +23,7 @@ struct Interval {
 /// so that ends give ends.
 struct IntervalMachine {
   using Acc = Interval;
+  static constexpr bool skips = false;
   F radius, slack;
   Ranges* out;
   F doubt = 0.0f;  ///< added to every reach; large where a cell spans two copies of a repetition

@@ -13,11 +13,11 @@ namespace penumbra::sdf {
 
 struct GridOptions {
   /// Metres, in the mesh's frame; unset = 1/128 of the mesh's longest side.
-  std::optional<double> voxel_size;
+  std::optional<double> voxel_size{};
   std::size_t most_bytes = std::size_t{1} << 30;
   /// A file that the grid is read from if it fits the mesh and the options, else written to where
   /// that is possible; empty = none.
-  std::string cache;
+  std::string cache{};
 };
 
 /// Distances in the mesh's own frame, negative inside, in metres. Inside is where the generalized

@@ -17,7 +17,7 @@ class Field;
 using DistanceFunction = std::function<void(std::span<const Vec3>, std::span<float>)>;
 
 struct MesherOptions {
-  std::optional<double> voxel_size;  ///< metres; unset = 1/128 of the longest side of the bounds
+  std::optional<double> voxel_size{};  ///< metres; unset = 1/128 of the longest side of the bounds
   std::size_t most_bytes = std::size_t{1} << 30;
 };
 

@@ -18,6 +18,8 @@ struct Owned {
 
 struct OwnerMachine {
   using Acc = Owned;
+  static constexpr bool skips = true;
+  HWY_INLINE const F& value(const Owned& a) const { return a.value; }
   HWY_INLINE Owned acc_of(const Tape&, Word, const Header& h, const F& v) const {
     return {v, static_cast<float>(h.surface), 0.0f};
   }

@@ -62,6 +62,7 @@ class Pruner {
   void run() {
     out_.clear();
     for (std::size_t i = code_.size(); i-- > 0;) {
+      if (is_count(code_[i])) continue;
       const std::uint32_t place = tape_.place(code_[i]);
       if (place >= skip_from_) continue;
       skip_from_ = none;
@@ -72,6 +73,7 @@ class Pruner {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::size_t least_guarded = 3;
 
   // The accumulator of a restored value, between spill and restore.
   struct Group {
@@ -87,6 +89,8 @@ class Pruner {
         return leave_group(w);
       case Op::restore:
         return join(i, place, true);
+      case Op::guard:
+        return close_group(w, tape_.info[place].v_begin);
       case Op::multiply:
         out_.push_back(w);
         return scale_window(1 / reinterpret_cast<const float*>(&h)[4]);
@@ -103,6 +107,21 @@ class Pruner {
         if (is_shape(h.op)) return join(i, place, false);
         out_.push_back(w);
     }
+  }
+
+  // A guard pays where it has a few words left to skip.
+  void close_group(Word w, std::uint32_t end) {
+    std::size_t n = 0;
+    while (n < out_.size()) {
+      const Word& last = out_[out_.size() - 1 - n];
+      if (!is_count(last) && tape_.place(last) >= end) break;
+      ++n;
+    }
+    // A count stands before its guard here: without that it belongs to the words beyond.
+    if (n > 0 && is_count(out_[out_.size() - n])) --n;
+    if (n < least_guarded) return;
+    out_.push_back(count_mark | static_cast<Word>(n));
+    out_.push_back(w);
   }
 
   void scale_window(float s) { window_ = {window_.lo * s, window_.hi * s}; }

@@ -14,15 +14,19 @@ constexpr int side = Regions::brick_side;
 constexpr int brick_cells = side * side * side;
 constexpr std::size_t short_enough = 8;  ///< words: a cell with no more is not cut further
 /// Bytes for each word of the whole code: small fields are not worth long preparation.
-constexpr std::size_t bytes_per_word = 2048;
+constexpr std::size_t bytes_per_word = 20000;
 constexpr int most_levels = 2;  ///< of bricks
 
 /// Codes found so far, each once.
 class CodeStore {
  public:
-  CodeStore(Regions& regions, const std::vector<Word>& whole) : regions_(regions) { add(whole); }
+  CodeStore(Regions& regions, const std::vector<Word>& whole) : regions_(regions) {
+    std::size_t unused = 0;
+    add(whole, unused);
+  }
 
-  std::uint32_t add(const std::vector<Word>& code) {
+  /// `used` grows by the bytes that the code takes if it is new.
+  std::uint32_t add(const std::vector<Word>& code, std::size_t& used) {
     std::size_t hash = code.size();
     for (const Word w : code) hash = (hash ^ w) * 0x9e3779b97f4a7c15ull, hash ^= hash >> 29;
     const std::lock_guard lock(mutex_);
@@ -38,6 +42,7 @@ class CodeStore {
                               static_cast<std::uint32_t>(code.size())});
     regions_.words.insert(regions_.words.end(), code.begin(), code.end());
     list.push_back(number);
+    used += code.size() * sizeof(Word) + sizeof(Regions::Code) + 64;
     return number;
   }
 
@@ -46,13 +51,6 @@ class CodeStore {
     const auto first = static_cast<std::uint32_t>(regions_.cells.size());
     regions_.cells.insert(regions_.cells.end(), cells, cells + brick_cells);
     return first | Regions::brick_bit;
-  }
-
-  bool is_full(std::size_t bytes) {
-    const std::lock_guard lock(mutex_);
-    return (regions_.cells.size() + regions_.words.size()) * 4 +
-               regions_.codes.size() * sizeof(Regions::Code) >
-           bytes;
   }
 
  private:
@@ -93,14 +91,17 @@ struct Cube {
 
 class Builder {
  public:
-  Builder(const Tape& tape, Regions& regions, CodeStore& store, const RegionLimits& limits)
-      : tape_(tape), regions_(regions), store_(store), limits_(limits) {}
+  /// top: the entries of both grids, apart from the list that grows.
+  Builder(const Tape& tape, CodeStore& store, std::vector<std::uint32_t>& top)
+      : tape_(tape), store_(store), top_(top) {}
 
-  void fill(const RegionGrid& grid) {
+  /// quota: bytes for codes and bricks, shared evenly so that no part of space goes without.
+  void fill(const RegionGrid& grid, std::size_t quota) {
     const Block whole{{0, 0, 0}, {grid.count[0], grid.count[1], grid.count[2]}};
     std::vector<Block> blocks = split(whole);
     std::vector<std::vector<Word>> codes = prune_all(tape_.code, cubes_of(grid, blocks));
-    parallel_for(blocks.size(), [&](std::size_t i) { fill(grid, blocks[i], codes[i]); });
+    parallel_for(blocks.size(),
+                 [&](std::size_t i) { fill(grid, blocks[i], codes[i], quota / blocks.size()); });
   }
 
  private:
@@ -137,18 +138,32 @@ class Builder {
     return codes;
   }
 
-  void fill(const RegionGrid& grid, const Block& block, const std::vector<Word>& code) {
-    if (code.size() <= 1) return fill_with(grid, block, store_.add(code));
+  // Gives the bytes used.
+  std::size_t fill(const RegionGrid& grid, const Block& block, const std::vector<Word>& code,
+                   std::size_t quota) {
+    std::size_t used = 0;
     if (block.is_cell()) {
       const Cube cube = cubes_of(grid, {block}).front();
-      return fill_with(grid, block, refined(cube.center, grid.size, code, 0));
+      fill_with(grid, block, refined(cube.center, grid.size, code, 0, quota, used));
+      return used;
+    }
+    if (code.size() <= 1 || quota < worth_of(code)) {
+      fill_with(grid, block, store_.add(code, used));
+      return used;
     }
     const std::vector<Block> parts = split(block);
-    if (store_.is_full(limits_.bytes)) return fill_with(grid, block, store_.add(code));
     const auto codes = prune_all(code, cubes_of(grid, parts));
     for (std::size_t i = 0; i < parts.size(); ++i)
-      fill(grid, parts[i], is_worth_keeping(codes[i], code) ? codes[i] : code);
+      used += fill(grid, parts[i], is_worth_keeping(codes[i], code) ? codes[i] : code,
+                   share(quota, used, parts.size() - i));
+    return used;
   }
+
+  static std::size_t share(std::size_t quota, std::size_t used, std::size_t left) {
+    return used < quota ? (quota - used) / left : 0;
+  }
+  // What it takes to cut a cell of this code into parts of their own, about.
+  static std::size_t worth_of(const std::vector<Word>& code) { return 256 + 32 * code.size(); }
 
   // Long codes that are hardly shorter than the one around them would only cost memory.
   static bool is_worth_keeping(const std::vector<Word>& part, const std::vector<Word>& whole) {
@@ -158,18 +173,16 @@ class Builder {
   void fill_with(const RegionGrid& grid, const Block& b, std::uint32_t entry) {
     for (int z = b.lo[2]; z < b.hi[2]; ++z)
       for (int y = b.lo[1]; y < b.hi[1]; ++y)
-        for (int x = b.lo[0]; x < b.hi[0]; ++x) top_entry(grid, x, y, z) = entry;
-  }
-  std::uint32_t& top_entry(const RegionGrid& grid, int x, int y, int z) {
-    return top_[grid.first +
-                static_cast<std::uint32_t>(x + grid.count[0] * (y + grid.count[1] * z))];
+        for (int x = b.lo[0]; x < b.hi[0]; ++x)
+          top_[grid.first +
+               static_cast<std::uint32_t>(x + grid.count[0] * (y + grid.count[1] * z))] = entry;
   }
 
   // The entry of a cell: its code, or a brick where smaller cells have shorter ones.
-  std::uint32_t refined(const Vec3& center, float size, const std::vector<Word>& code, int level) {
-    const std::uint32_t own = store_.add(code);
-    if (code.size() <= short_enough || level == most_levels || store_.is_full(limits_.bytes))
-      return own;
+  std::uint32_t refined(const Vec3& center, float size, const std::vector<Word>& code, int level,
+                        std::size_t quota, std::size_t& used) {
+    if (code.size() <= short_enough || level == most_levels || quota < worth_of(code))
+      return store_.add(code, used);
     const float part = size / side;
     std::vector<Cube> cubes;
     for (int i = 0; i < brick_cells; ++i) {
@@ -180,21 +193,20 @@ class Builder {
     }
     const auto codes = prune_all(code, cubes);
     if (std::ranges::all_of(codes, [&](const auto& c) { return c.size() == code.size(); }))
-      return own;
+      return store_.add(code, used);
+    std::size_t mine = brick_cells * sizeof(std::uint32_t);
     std::uint32_t entries[brick_cells];
     for (std::size_t i = 0; i < brick_cells; ++i)
-      entries[i] = refined(cubes[i].center, part,
-                           is_worth_keeping(codes[i], code) ? codes[i] : code, level + 1);
+      entries[i] =
+          refined(cubes[i].center, part, is_worth_keeping(codes[i], code) ? codes[i] : code,
+                  level + 1, share(quota, mine, brick_cells - i), mine);
+    used += mine;
     return store_.add_brick(entries);
   }
 
   const Tape& tape_;
-  Regions& regions_;
   CodeStore& store_;
-  const RegionLimits& limits_;
-
- public:
-  std::uint32_t* top_ = nullptr;  ///< entries of both grids, apart from the growing list
+  std::vector<std::uint32_t>& top_;
 };
 
 RegionGrid grid_over(const Bounds& box, double cells, std::uint32_t first) {
@@ -223,18 +235,16 @@ Regions build_regions(const Tape& tape, const Bounds& inner, const Bounds& outer
   CodeStore store(regions, tape.code);
   regions.cells = {0};
   if (!limits.enabled || tape.code.size() <= 1) return regions;
-  const double cells = std::clamp(100.0 * static_cast<double>(tape.code.size()), 2e3, 3e4);
+  const double cells = std::clamp(100.0 * static_cast<double>(tape.code.size()), 2e3, 6e4);
   regions.inner = grid_over(inner, cells, 1);
   regions.outer = grid_over(outer, cells / 2, 1 + cell_count(regions.inner));
   const std::uint32_t top = regions.outer.first + cell_count(regions.outer);
   regions.cells.resize(top);
   std::vector<std::uint32_t> entries(top, 0);
-  RegionLimits fair = limits;
-  fair.bytes = std::min(limits.bytes, regions.cells.size() * 4 + tape.code.size() * bytes_per_word);
-  Builder builder(tape, regions, store, fair);
-  builder.top_ = entries.data();
-  builder.fill(regions.inner);
-  builder.fill(regions.outer);
+  Builder builder(tape, store, entries);
+  const std::size_t quota = std::min(limits.bytes, tape.code.size() * bytes_per_word);
+  builder.fill(regions.inner, quota / 4 * 3);
+  builder.fill(regions.outer, quota / 4);
   std::ranges::copy(entries, regions.cells.begin());
   regions.cells.shrink_to_fit(), regions.words.shrink_to_fit(), regions.codes.shrink_to_fit();
   return regions;

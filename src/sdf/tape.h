@@ -39,6 +39,7 @@ enum class Op : std::uint8_t {
   revolve_polygon,
   flat_polygon,
   mesh,
+  guard,  ///< skips a group of shapes whose box is farther than the accumulator everywhere
   // The accumulator alone.
   spill,    ///< slot = acc
   restore,  ///< value = acc, acc = slot: then they join
@@ -57,7 +58,7 @@ enum class Op : std::uint8_t {
   elongate,
   pop,  ///< the point back from its slot
 };
-inline bool is_shape(Op op) { return op < Op::spill; }
+inline bool is_shape(Op op) { return op < Op::guard; }
 
 /// How a value v joins the accumulator a.
 enum class Join : std::uint8_t {
@@ -80,6 +81,10 @@ inline Word word_of(std::uint32_t offset, Join join) {
 }
 inline Join join_of(Word w) { return static_cast<Join>(w >> 24); }
 
+/// After a guard: how many words of the code it may skip.
+inline constexpr Word count_mark = 0xff000000;
+inline bool is_count(Word w) { return (w & count_mark) == count_mark; }
+
 /// The first four floats of a record; its constants follow.
 struct Header {
   Op op;
@@ -93,7 +98,7 @@ static_assert(sizeof(Header) == 16);
 /// What only pruning needs to know of a word, by its place in the full code.
 struct WordInfo {
   std::uint32_t acc_begin = 0;  ///< the code from there to the word made the accumulator
-  std::uint32_t v_begin = 0;    ///< restore: its spill
+  std::uint32_t v_begin = 0;    ///< restore: its spill; guard: the end of its group
   float lipschitz = 1;          ///< shapes: of the value along the world's metres
 };
 

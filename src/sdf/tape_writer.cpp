@@ -53,6 +53,23 @@ void TapeWriter::act(Op op, std::uint32_t slot, std::initializer_list<double> co
   write(op, {Join::none, 0, 0}, slot, 0, list, info);
 }
 
+void TapeWriter::begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin) {
+  std::vector<float> list;
+  for (const Vec3d& v : {center, half_size})
+    for (int i = 0; i < 3; ++i) list.push_back(static_cast<float>(v[i]));
+  open_groups_.push_back(size());
+  write(Op::guard, {Join::none, 0, acc_begin}, 0, 0, list, {});
+  tape.code.push_back(count_mark);
+  tape.info.emplace_back();
+}
+
+void TapeWriter::end_group() {
+  const std::uint32_t guard = open_groups_.back();
+  open_groups_.pop_back();
+  tape.info[guard].v_begin = size();
+  tape.code[guard + 1] = count_mark | (size() - guard - 2);
+}
+
 std::uint32_t TapeWriter::surface(std::uint32_t object, std::uint32_t material) {
   const auto next = static_cast<std::uint32_t>(tape.surfaces.size());
   const auto [entry, is_new] = surfaces_.try_emplace({object, material}, next);

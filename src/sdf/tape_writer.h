@@ -27,12 +27,17 @@ class TapeWriter {
   /// Something that acts on the accumulator or the point.
   void act(Op op, std::uint32_t slot, std::initializer_list<double> constants,
            double lipschitz = 1);
+  /// A group of shapes begins that are all in the box; they join by min, and something before them
+  /// has. Groups nest.
+  void begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin);
+  void end_group();
   std::uint32_t surface(std::uint32_t object, std::uint32_t material);
 
   Tape tape;
 
  private:
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> surfaces_;
+  std::vector<std::uint32_t> open_groups_;  ///< places of their guards
 };
 
 }  // namespace penumbra::sdf

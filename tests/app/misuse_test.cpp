@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{{"--mint=0"}, "--mint: 0 is out of range; give a number from 1e-06 to 1e+06"},
         Misuse{{"--k", "-1"}, "--k: -1 is out of range; give a number from 1e-06 to 1e+06"},
         Misuse{{"--steps", "0"}, "--steps: 0 is out of range; give a whole number from 1 to 65536"},
-        Misuse{{"--bounds", "9"}, "--bounds is not in this version; leave it out"},
+
         Misuse{{"other.json"}, "'other.json' is one file too many; see penumbra render --help"},
         Misuse{{"--camera", "frnt"},
                "--camera: the scene has no camera 'frnt'; did you mean "
@@ -174,6 +174,21 @@ TEST_F(Misuses, TooLargeASizeTellsWhatItNeedsBeforeLoading) {
                                "penumbra: --size: a picture of 1000000x1000000 needs 12.0 TB of "
                                "memory and [0-9.]+ [MGT]B are available; choose a smaller size\n"));
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(Misuses, BoundsAndVoxels) {
+  const auto expect = [&](const std::string& option, const std::string& value,
+                          const std::string& line) {
+    expect_refused(penumbra({"info", scene, option, value}), 2, line);
+  };
+  const std::string remedy =
+      "; write it as --bounds -1,0,-1,1,2,1: the least x, y, z, then the greatest";
+  expect("--bounds", "0,0,0,1,1",
+         "--bounds: '0,0,0,1,1' is not six numbers of at most 1e9" + remedy);
+  expect("--bounds", "0,0,0,1,1,x",
+         "--bounds: '0,0,0,1,1,x' is not six numbers of at most 1e9" + remedy);
+  expect("--bounds", "0,0,0,1,0,1", "--bounds: 0,0,0,1,0,1 is empty along y" + remedy);
+  expect("--voxel-size", "0", "--voxel-size: 0 is out of range; give a number from 1e-09 to 1e+09");
 }
 
 TEST_F(Misuses, MissingScene) {

@@ -77,8 +77,9 @@ TEST(SdfField, NoSteeperThanOne) {
   }
 }
 
-TEST(SdfField, ShortenedCodeGivesTheSameBits) {
-  std::vector<std::string> roots = operators();
+// Two hundred balls, spread out.
+std::vector<std::string> crowds() {
+  std::vector<std::string> roots;
   std::string many;
   std::mt19937 random(4);
   std::uniform_real_distribution<float> u(-1.5f, 1.5f);
@@ -88,6 +89,16 @@ TEST(SdfField, ShortenedCodeGivesTheSameBits) {
             std::to_string(u(random)) + "]}";
   for (const std::string op : {R"("union")", R"("smooth_union", "k": 0.15)"})
     roots.push_back(R"({"op": )" + op + R"(, "children": [)" + many + "]}");
+  return roots;
+}
+
+TEST(SdfField, CrowdsAreQuilezs) {
+  for (const std::string& root : crowds()) expect_reference(root);
+}
+
+TEST(SdfField, ShortenedCodeGivesTheSameBits) {
+  std::vector<std::string> roots = operators();
+  for (const std::string& root : crowds()) roots.push_back(root);
   for (const std::string& root : roots) {
     const Scene scene = scene_of(root);
     sdf::FieldOptions whole;

@@ -52,7 +52,7 @@ void expect_distances(const Mesh& mesh, const std::function<double(const Vec3d&)
   EXPECT_EQ(too_near, 0);
   EXPECT_EQ(wrong_sign, 0);
   EXPECT_EQ(inexact, 0);
-  EXPECT_GT(exact, 50);
+  EXPECT_GT(exact, 20);
 }
 
 double signed_brute(const Mesh& mesh, const Vec3d& p, double threshold = 0.5) {
@@ -71,14 +71,17 @@ TEST(MeshGrid, BallAndTorusAreTheirTriangles) {
 }
 
 TEST(MeshGrid, FineBallAndTorusAreNearlyRound) {
-  const MeshGrid ball = grid_of(ball_mesh(1, 60)), torus = grid_of(torus_mesh(1, 0.4, 120, 60));
+  const MeshGrid ball = grid_of(ball_mesh(1, 40)), torus = grid_of(torus_mesh(1, 0.4, 80, 40));
   for (const Vec3& p : points_about({}, 1.5f, 3000)) {
     const Vec3d q(p);
     const double r = length(q);
-    EXPECT_NEAR(ball.distance(p), r - 1, 0.003 + 0.92 * ball.voxel_size() * (r < 0.2));
+    const double d_ball = r - 1, in_doubt = r < 0.2 ? 0.92 * ball.voxel_size() : 0;
+    EXPECT_NEAR(ball.distance(p), d_ball, 0.006 + 0.05 * std::abs(d_ball) + in_doubt);
     const Vec3d ring{std::hypot(q.x, q.z) - 1, q.y, 0};
     const double d = length(ring) - 0.4;
-    if (std::abs(d) < 0.2) EXPECT_NEAR(torus.distance(p), d, 0.006);
+    if (std::abs(d) < 0.2) {
+      EXPECT_NEAR(torus.distance(p), d, 0.01);
+    }
   }
 }
 
