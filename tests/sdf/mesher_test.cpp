@@ -155,7 +155,8 @@ TEST(Mesher, Refusals) {
 }
 
 TEST(Mesher, AMeshForEachMaterial) {
-  const Scene scene = scene_with(R"({"type": "sdf", "root": {"op": "union", "children": [
+  const Scene scene =
+      scene_with(R"({"type": "sdf", "material": "a", "root": {"op": "union", "children": [
       {"shape": "sphere", "center": [-1, 0, 0], "radius": 0.5, "material": "a"},
       {"shape": "box", "center": [1, 0, 0], "half_size": [0.4, 0.4, 0.4], "material": "b"}]}},
       {"type": "sdf", "material": "b", "root": {"shape": "sphere", "center": [0, 2, 0], "radius": 0.5}})");
