@@ -50,6 +50,7 @@ struct Context {
   double stretch = 1;  ///< world metres to the node's value: what every shape's slope is times
   std::uint32_t value_slot = 0, point_slot = 0;
   int copies = 1;
+  bool at_top = true;  ///< the node's value is a candidate for the least of all, as it is
 };
 
 /// A node to write, or a record that is due once the node before it is written.
@@ -102,7 +103,8 @@ class TreeWriter {
         return visit_copy(task);
       case Task::group: {
         const auto& c = task.constants;
-        return out_.begin_group({c[0], c[1], c[2]}, {c[3], c[4], c[5]}, task.attach.acc_begin);
+        return out_.begin_group({c[0], c[1], c[2]}, {c[3], c[4], c[5]}, task.attach.acc_begin,
+                                c[6] != 0);
       }
       case Task::group_end:
         return out_.end_group();
@@ -149,6 +151,7 @@ class TreeWriter {
     task.v_begin = out_.size();
     tasks_.push_back(task);
     out_.act(Op::spill, context.value_slot++, {});
+    context.at_top = context.at_top && attach.join == Join::min;
     return context;
   }
 
@@ -165,7 +168,8 @@ class TreeWriter {
   }
 
   void visit_divided(const Task& task) {
-    const Context inner = own_accumulator(task.context, task.attach);
+    Context inner = own_accumulator(task.context, task.attach);
+    inner.at_top = false;
     push_act(Op::multiply, 0, {1.0 / slopes_[task.node].constant});
     push_child(task.node, inner, {}, false);
   }
@@ -225,6 +229,7 @@ class TreeWriter {
       context = turned(context);
       first = {};
     }
+    context.at_top = context.at_top && node.op == SdfOp::union_;
     const double k = node.number_count > 0 ? tree_.numbers_of(node)[0] * context.at.scale : 0;
     const Attach rest{hard_unless(join_of(node.op), k), k,
                       joins_outer ? attach.acc_begin : out_.size()};
@@ -295,13 +300,14 @@ class TreeWriter {
     Task task;
     task.kind = Task::group;
     task.attach = attach;
-    task.constants = {center.x, center.y, center.z, half.x, half.y, half.z};
+    task.constants = {center.x, center.y, center.z, half.x, half.y, half.z, double(context.at_top)};
     tasks_.push_back(task);
   }
 
   void unary(const SdfNode& node, Context context, const Attach& attach) {
     const auto n = tree_.numbers_of(node);
     context = own_accumulator(context, attach);
+    context.at_top = false;
     const double s = context.at.scale;
     if (node.op == SdfOp::displace) {
       context = turned(context);
@@ -335,6 +341,7 @@ class TreeWriter {
   Context inside(const Context& context) const {
     Context inner = context;
     inner.at = context.at.reset();
+    inner.at_top = false;
     ++inner.point_slot;
     return inner;
   }

@@ -200,7 +200,11 @@ HWY_INLINE F smooth_max(const F& a, const F& v, float k, float quarter_over_k) {
 struct ValueMachine {
   using Acc = F;
   static constexpr bool skips = true;
-  HWY_INLINE const F& value(const F& a) const { return a; }
+  /// Known beforehand: no lane's result is above.
+  F most = 1e30f;
+  HWY_INLINE F limit(const F& a, const Header& guard) const {
+    return guard.slot ? min(a, most) : a;
+  }
   HWY_INLINE F acc_of(const Tape&, Word, const Header&, const F& v) const { return v; }
   HWY_INLINE F join(Join join, const Header& h, const F& a, const F& v) {
     switch (join) {
@@ -289,7 +293,7 @@ HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::si
     } else if (op == Op::guard) {
       ++i;
       if constexpr (Machine::skips)
-        if (is_beyond(p, record + 4, machine.value(acc))) i += code[i] & ~count_mark;
+        if (is_beyond(p, record + 4, machine.limit(acc, header))) i += code[i] & ~count_mark;
     } else if (op == Op::pop) {
       p = slots.points[header.slot];
       machine.leave(header.slot);

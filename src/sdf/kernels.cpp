@@ -29,7 +29,7 @@ void distances_of(const FieldData& field, const float* x, const float* y, const 
   for (std::size_t i = 0; i < count; i += lanes) {
     const std::size_t n = std::min<std::size_t>(lanes, count - i);
     HWY_ALIGN float d[lanes];
-    store(sampler.distance(points_at(x + i, y + i, z + i, n), all_lanes), d);
+    store(sampler.distance(points_at(x + i, y + i, z + i, n), all_lanes, 1e30f), d);
     std::copy(d, d + n, out + i);
   }
 }
@@ -98,16 +98,19 @@ void clear_ways_of(const FieldData& field, std::span<const MarchRay> axes, float
     const P o{load(a[0]), load(a[1]), load(a[2])}, d{load(a[3]), load(a[4]), load(a[5])};
     F t = load(a[6]);
     const F t_max = load(a[7]);
+    F most = 1e30f;
     std::uint32_t active = all_lanes;
     const F stretch = std::sqrt(1 + slope * slope);
     for (int i = 0; i < 64 && active; ++i) {
       const P p{mad(t, d.x, o.x), mad(t, d.y, o.y), mad(t, d.z, o.z)};
-      const F h = sampler.distance(p, active);
+      const F h = sampler.distance(p, active, most);
       // The sphere of radius h about t holds the cone's cap up to t + s with
       // s = (h − slope t) / (stretch (1 + slope)), and more than that.
       const F s = (h - slope * t) / (stretch * (1 + slope));
       const M moves = (s > F(1e-3f) * t) & (t < t_max) & mask_of(active);
-      t = select(moves, min(t + s, t_max), t);
+      const F next = select(moves, min(t + s, t_max), t);
+      most = most_after(field, h, next - t, p);
+      t = next;
       active = bits(moves);
     }
     HWY_ALIGN float way[lanes];

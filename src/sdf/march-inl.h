@@ -32,6 +32,13 @@ struct LaneArrays {
   }
 };
 
+/// No value is above this a `way` along the ray from p, where it is h. With room for rounding.
+HWY_INLINE F most_after(const FieldData& field, const F& h, const F& way, const P& p) {
+  if (!field.tape.warnings.empty()) return 1e30f;  // perhaps steeper than 1
+  const F size = max(abs(p.x), max(abs(p.y), abs(p.z)));
+  return mad(abs(h) + abs(way), 1.0001f, size * 1e-5f);
+}
+
 /// Method: Ray type; begin(lane, ray) puts its own state into arrays; reload() takes that over;
 /// step(way, h, active) moves on and gives the lanes that are done; finish(lane, number).
 template <class Method>
@@ -43,11 +50,12 @@ void march(const FieldData& field, std::span<const typename Method::Ray> rays, i
   std::uint32_t active = 0;
   HWY_ALIGN float counts[lanes];
   Way way = arrays.load_all();
-  F steps = 0.0f;
+  F steps = 0.0f, most = 1e30f;
+  HWY_ALIGN float mosts[lanes];
   const F limit = static_cast<float>(step_limit);
   while (true) {
     if (next < rays.size() && std::popcount(active) <= lanes - refill_at) {
-      store(way.t, arrays.t), store(steps, counts);
+      store(way.t, arrays.t), store(steps, counts), store(most, mosts);
       method.save();
       for (std::uint32_t idle = ~active & all_lanes; idle && next < rays.size(); ++next) {
         if (!method.wants(rays[next], next)) continue;
@@ -59,19 +67,20 @@ void march(const FieldData& field, std::span<const typename Method::Ray> rays, i
         arrays.dx[lane] = ray.direction.x, arrays.dy[lane] = ray.direction.y,
         arrays.dz[lane] = ray.direction.z;
         method.begin(lane, ray, arrays.t[lane], arrays.t_max[lane]);
-        counts[lane] = 0;
+        counts[lane] = 0, mosts[lane] = 1e30f;
         number[lane] = next;
         active |= 1u << lane;
       }
-      way = arrays.load_all(), steps = load(counts);
+      way = arrays.load_all(), steps = load(counts), most = load(mosts);
       method.load();
     }
     if (active == 0) break;
     const P p{mad(way.t, way.d.x, way.o.x), mad(way.t, way.d.y, way.o.y),
               mad(way.t, way.d.z, way.o.z)};
-    const F h = sampler.distance(p, active);
+    const F h = sampler.distance(p, active, most), t = way.t;
     steps = steps + 1.0f;
     std::uint32_t done = method.step(way, h) & active;
+    most = most_after(field, h, way.t - t, p);
     const std::uint32_t out = bits(steps >= limit) & active & ~done;
     if (HWY_LIKELY((done | out) == 0)) continue;
     method.keep(way, steps);

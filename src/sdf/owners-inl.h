@@ -19,7 +19,7 @@ struct Owned {
 struct OwnerMachine {
   using Acc = Owned;
   static constexpr bool skips = true;
-  HWY_INLINE const F& value(const Owned& a) const { return a.value; }
+  HWY_INLINE const F& limit(const Owned& a, const Header&) const { return a.value; }
   HWY_INLINE Owned acc_of(const Tape&, Word, const Header& h, const F& v) const {
     return {v, static_cast<float>(h.surface), 0.0f};
   }

@@ -36,13 +36,17 @@ class Sampler {
       : field_(field), regions_(field.regions), slots_(slots_for<F>(field.tape)) {}
 
   /// Lanes that are not active give anything. One copy of the machine for all callers.
-  HWY_NOINLINE F distance(const P& p, std::uint32_t active) {
+  /// most: what f cannot be above at the points, from a value nearby and the way from there (slopes
+  /// are at most 1); only saves time.
+  HWY_NOINLINE F distance(const P& p, std::uint32_t active, const F& most) {
     Groups groups;
     find(p, active, groups);
+    if (HWY_UNLIKELY(field_.tape.has_groups && groups.count > 1)) prefer_whole(groups);
     F result;
     for (int i = 0;;) {
       const Regions::Code& c = regions_.codes[groups.code[i]];
       ValueMachine machine;
+      machine.most = most;
       const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
       result = i == 0 ? d : select(mask_of(groups.members[i]), d, result);
       if (HWY_LIKELY(++i == groups.count)) return result;
@@ -76,6 +80,16 @@ class Sampler {
   }
 
  private:
+  /// Words that several cells' codes may have together before the whole code with its guards, once
+  /// for all lanes, is cheaper.
+  static constexpr std::uint32_t many_words = 40;
+
+  HWY_INLINE void prefer_whole(Groups& groups) const {
+    std::uint32_t words = 0;
+    for (int i = 0; i < groups.count; ++i) words += regions_.codes[groups.code[i]].count;
+    if (words > many_words) groups.count = 1, groups.code[0] = 0;
+  }
+
   // Adds the lanes by cell; gives those whose cell is a brick.
   HWY_INLINE std::uint32_t group(const std::int32_t* cell, std::uint32_t left,
                                  Groups& groups) const {

@@ -89,7 +89,7 @@ inline bool is_count(Word w) { return (w & count_mark) == count_mark; }
 struct Header {
   Op op;
   std::uint8_t unused[1];
-  std::uint16_t slot;
+  std::uint16_t slot;     ///< guard: 1 if what it skips joins the result itself
   std::uint32_t surface;  ///< shapes: into Tape::surfaces; mesh: see Tape::meshes
   float k, quarter_over_k;
 };
@@ -116,6 +116,7 @@ struct Tape {
   std::vector<std::uint32_t> place_of_unit;  ///< offset → place
   std::vector<Surface> surfaces;
   std::vector<std::shared_ptr<const MeshDistance>> meshes;
+  bool has_groups = false;  ///< there are guards
   std::uint32_t value_slots = 0, point_slots = 0;
   std::vector<std::string> warnings;
 

@@ -53,12 +53,14 @@ void TapeWriter::act(Op op, std::uint32_t slot, std::initializer_list<double> co
   write(op, {Join::none, 0, 0}, slot, 0, list, info);
 }
 
-void TapeWriter::begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin) {
+void TapeWriter::begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin,
+                             bool at_top) {
   std::vector<float> list;
   for (const Vec3d& v : {center, half_size})
     for (int i = 0; i < 3; ++i) list.push_back(static_cast<float>(v[i]));
+  tape.has_groups = true;
   open_groups_.push_back(size());
-  write(Op::guard, {Join::none, 0, acc_begin}, 0, 0, list, {});
+  write(Op::guard, {Join::none, 0, acc_begin}, at_top ? 1 : 0, 0, list, {});
   tape.code.push_back(count_mark);
   tape.info.emplace_back();
 }

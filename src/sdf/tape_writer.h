@@ -28,8 +28,9 @@ class TapeWriter {
   void act(Op op, std::uint32_t slot, std::initializer_list<double> constants,
            double lipschitz = 1);
   /// A group of shapes begins that are all in the box; they join by min, and something before them
-  /// has. Groups nest.
-  void begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin);
+  /// has. Groups nest. at_top: the shapes are candidates for the least of all.
+  void begin_group(const Vec3d& center, const Vec3d& half_size, std::uint32_t acc_begin,
+                   bool at_top);
   void end_group();
   std::uint32_t surface(std::uint32_t object, std::uint32_t material);
 
