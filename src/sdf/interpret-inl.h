@@ -201,12 +201,13 @@ struct ValueMachine {
   using Acc = F;
   static constexpr bool skips = true;
   /// Known beforehand: no lane's result is above.
-  F most = 1e30f;
+  F most;
+  HWY_INLINE explicit ValueMachine(const F& known) : most(known) {}
   HWY_INLINE F limit(const F& a, const Header& guard) const {
     return guard.slot ? min(a, most) : a;
   }
   HWY_INLINE F acc_of(const Tape&, Word, const Header&, const F& v) const { return v; }
-  HWY_INLINE F join(Join join, const Header& h, const F& a, const F& v) {
+  HWY_INLINE F join(Join join, const Header& h, const F& a, const F& v) const {
     switch (join) {
       case Join::load:
         return v;

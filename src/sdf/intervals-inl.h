@@ -26,8 +26,11 @@ struct IntervalMachine {
   static constexpr bool skips = false;
   F radius, slack;
   Ranges* out;
-  F doubt = 0.0f;  ///< added to every reach; large where a cell spans two copies of a repetition
-  std::vector<F> outer_doubt{};
+  F doubt;  ///< added to every reach; large where a cell spans two copies of a repetition
+  std::vector<F> outer_doubt;
+
+  HWY_INLINE IntervalMachine(const F& r, const F& s, Ranges* to)
+      : radius(r), slack(s), out(to), doubt(0.0f) {}
 
   HWY_INLINE Interval about(const F& v, const Tape& tape, Word w) const {
     const F reach = radius * tape.info[tape.place(w)].lipschitz + mad(abs(v), 1e-5f, slack) + doubt;
@@ -37,7 +40,7 @@ struct IntervalMachine {
     return about(v, tape, w);
   }
   HWY_INLINE Interval join(Join join, const Header& h, const Interval& a, const Interval& v) const {
-    ValueMachine machine;
+    const ValueMachine machine(0.0f);
     const bool negative =
         join == Join::load_negative || join == Join::max_negative || join == Join::smax_negative;
     return {machine.join(join, h, a.lo, negative ? v.hi : v.lo),

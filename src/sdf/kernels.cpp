@@ -39,7 +39,7 @@ void ranges_of(const Tape& tape, const Word* code, std::size_t count, const Cell
   const P p{load(cells.x), load(cells.y), load(cells.z)};
   const F radius = load(cells.radius);
   const F size = max(abs(p.x), max(abs(p.y), abs(p.z)));
-  IntervalMachine machine{radius, (size + radius) * 1e-5f, out};
+  IntervalMachine machine(radius, (size + radius) * 1e-5f, out);
   run(tape, machine, code, count, p, slots_for<Interval>(tape));
 }
 

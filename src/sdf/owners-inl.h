@@ -25,7 +25,7 @@ struct OwnerMachine {
   }
   HWY_INLINE Owned join(Join join, const Header& h, const Owned& a, const Owned& v) const {
     Owned r;
-    r.value = ValueMachine().join(join, h, a.value, v.value);
+    r.value = ValueMachine(0.0f).join(join, h, a.value, v.value);
     const bool negative = join == Join::max_negative || join == Join::smax_negative;
     const F other = negative ? -v.value : v.value;
     const bool least = join == Join::min || join == Join::smin;

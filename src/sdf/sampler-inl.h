@@ -45,8 +45,7 @@ class Sampler {
     F result;
     for (int i = 0;;) {
       const Regions::Code& c = regions_.codes[groups.code[i]];
-      ValueMachine machine;
-      machine.most = most;
+      ValueMachine machine(most);
       const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
       result = i == 0 ? d : select(mask_of(groups.members[i]), d, result);
       if (HWY_LIKELY(++i == groups.count)) return result;
