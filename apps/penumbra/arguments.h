@@ -17,7 +17,7 @@ enum class Device { automatic, cpu, gl };
 
 /// One `--aov NAME=FILE.exr`.
 struct AovRequest {
-  std::string name;  ///< visibility, depth, normal or error
+  std::string name;  ///< visibility, depth, normal, error or steps
   std::string file;
 };
 

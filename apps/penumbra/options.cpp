@@ -239,7 +239,7 @@ void add_picture_options(CLI::App& command, Arguments& a) {
         a.aovs.push_back(read_aov(t));
         want_aov(a.aovs.back().name, render);
       },
-      "also write visibility, depth, normal or error; repeatable")
+      "also write visibility, depth, normal, error or steps; repeatable")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
   add(

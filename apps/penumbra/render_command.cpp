@@ -28,6 +28,14 @@ void check_visibility_has_lights(const Arguments& arguments, const Scene& scene)
                      "add one with --light or leave it out");
 }
 
+void check_steps_are_counted(const Arguments& arguments, const Scene& scene) {
+  if (!arguments.render.want_steps) return;
+  if (arguments.render.shadows.kind < ShadowKind::sdf_classic)
+    throw InputError("--aov steps: this method does not march", "choose an sdf-* method");
+  if (draws_with_gl(arguments, scene))
+    throw InputError("--aov steps: OpenGL counts no steps by pixel", "choose --device cpu");
+}
+
 // Seconds that the commands measure themselves.
 struct Phases {
   double load = 0, build = 0, write = 0;
@@ -83,9 +91,13 @@ void run_render(Arguments& arguments, Console& console) {
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);
+  check_steps_are_counted(arguments, scene);
   std::size_t bytes = 0;
   const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
   for (const std::string& text : result.warnings) console.warn(text);
+  if (const auto lost = result.stats.shadows.unfinished_marches; lost > 0)
+    console.warn(fmt::format("{} of {} marches ran out of steps; --steps gives them more", lost,
+                             result.stats.shadows.marches));
   console.remark(fmt::format("exposure: {:.2f} EV{}", result.stats.exposure_ev,
                              arguments.render.exposure_ev ? "" : " (from the scene)"));
   const Stopwatch write;

@@ -90,6 +90,8 @@ Surface World::solid_surface(const Ray& ray, const Hit& hit) const {
   return s;
 }
 
+bool World::is_inside(const Vec3& p) const { return solids_ && solids_->distance(p) < 0; }
+
 bool World::occluded(const ShadowRay& ray, int excluded) const {
   if (embree_->occluded(ray, excluded)) return true;
   if (!solids_) return false;

@@ -52,7 +52,7 @@ class Field;
 struct WorldOptions {
   bool cone_tree = true;  ///< clearances; distance fields become triangles for that
   bool field = false;     ///< distances to everything; meshes become grids for that
-  sdf::ConversionOptions conversions;
+  sdf::ConversionOptions conversions{};
 };
 
 /// Immutable once built; every query is thread-safe. Keeps a reference to the scene.
@@ -93,6 +93,8 @@ class World {
   const ConeTree& cone_tree() const { return *cone_tree_; }
   /// True if there are distance-field objects.
   bool has_solids() const { return solids_ != nullptr; }
+  /// True for a point inside a distance-field object.
+  bool is_inside(const Vec3& p) const;
   bool has_field() const { return field_ != nullptr; }
   /// Distances to all there is; with WorldOptions::field only.
   const sdf::Field& field() const { return *field_; }

@@ -99,6 +99,8 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   const DirectLight lights(shadows.lights());
   const MaterialLookup materials(scene);
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
+  if (world.is_inside(view.position))
+    result.warnings.emplace_back("the camera is inside a distance field: nothing is to be seen");
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
   const Brightness bright = find_brightness(world, coarse, lights, materials);

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{{"--shadow", "hard"}, "--shadow is no option of render; did you mean --shadows?"},
         Misuse{{"--mint=0"}, "--mint: 0 is out of range; give a number from 1e-06 to 1e+06"},
         Misuse{{"--k", "-1"}, "--k: -1 is out of range; give a number from 1e-06 to 1e+06"},
-        Misuse{{"--steps", "0"}, "--steps: 0 is out of range; give a whole number from 1 to 65536"},
+        Misuse{{"--steps", "0"}, "--steps: 0 is out of range; give a whole number from 1 to 65535"},
 
         Misuse{{"other.json"}, "'other.json' is one file too many; see penumbra render --help"},
         Misuse{{"--camera", "frnt"},
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                "depth=depth.exr"},
         Misuse{{"--aov", "deep=a.exr"},
                "--aov: 'deep' is unknown; did you mean depth? There are "
-               "visibility, depth, normal or error"},
+               "visibility, depth, normal, error or steps"},
         Misuse{{"--aov", "depth=a.png"},
                "--aov: a.png does not end in .exr; write it as --aov depth=depth.exr"}));
 
