@@ -131,7 +131,8 @@ Bounds bounds_of(const SdfTree& tree);
 /// The same for every node, in its own frame.
 std::vector<Bounds> bounds_of_nodes(const SdfTree& tree);
 
-/// bounds_of where that is finite; of an unbounded union at the root the finite parts. May be empty.
+/// bounds_of where that is finite; of an unbounded union at the root the finite parts. May be
+/// empty.
 Bounds bounds_of_finite_parts(const SdfTree& tree);
 
 inline bool is_finite(const Bounds& b) { return is_finite(b.lo) && is_finite(b.hi); }
