@@ -31,7 +31,7 @@ $1 == "found" {
   add($2, "all scenes", $5, $6)
   value[$2, ++count[$2]] = $6
 }
-$1 == "cost" { points[$2] += $4; rays[$2] += $5; leaves[$2] += $6 }
+$1 == "cost" { points[$2] += $4; rays[$2] += $5; leaves[$2] += $6; steps[$2] += $7 }
 
 function open_table(name, header,   i, rule, columns) {
   out = folder "/" name ".table"
@@ -147,6 +147,12 @@ function methods() {
   method_row("hard", "one ray to the light's centre: seen or not", "1 ray", "hard")
   method_row("parker", "the shadow of a soft-edged object under a point light: smooth, no noise", \
     "1 cone", "parker")
+  method_row("sdf-classic", "marches the distance field; the least h / (w t) on the way", \
+    per_point(steps, "sdf-classic") " steps", "sdf-classic")
+  method_row("sdf-improved", "the same between the samples too", \
+    per_point(steps, "sdf-improved") " steps", "sdf-improved")
+  method_row("sdf-inner", "the same through solids, for the inner half of the penumbra", \
+    per_point(steps, "sdf-inner") " steps", "sdf-inner")
   method_row("area-64", "the mean over 64 points of the light: the reference, with N points as" \
     " exact as you like", per_point(rays, "area-64") " rays", "area")
   row("| `area --error 0.01` | points only where the light is cut | " per_point(rays, "error-0.01") \
@@ -158,8 +164,8 @@ function methods() {
 END {
   pi = atan2(0, -1)
   scenes[scene_count + 1] = "all scenes"
-  columns = "`none` | `hard` | `parker` | `area`, 16 points | 64 | 256 | 4096 | `--error 0.01`"
-  list = "none hard parker area-16 area-64 area-256 area-4096 error-0.01"
+  columns = "`none` | `hard` | `parker` | `sdf-classic` | `sdf-improved` | `sdf-inner` | `area`, 16 points | 64 | 256 | 4096 | `--error 0.01`"
+  list = "none hard parker sdf-classic sdf-improved sdf-inner area-16 area-64 area-256 area-4096 error-0.01"
   by_group("rmse-penumbra", "scene", columns, list, scenes, scene_count + 1, 2, "rmse")
   by_group("rmse-all", "scene", columns, list, scenes, scene_count + 1, 1, "rmse")
   by_group("bias", "scene", columns, list, scenes, scene_count + 1, 1, "bias")
@@ -169,6 +175,11 @@ END {
   ++scene_count
   one_method("hard", "hard")
   one_method("parker", "parker")
+  one_method("sdf-classic", "sdf-classic")
+  one_method("sdf-classic-blog", "blog")
+  one_method("sdf-improved", "sdf-improved")
+  one_method("sdf-inner", "sdf-inner")
+  one_method("sdf-inner-abs", "abs")
   settings("area-points", "`--light-samples`", "area-", "4 16 64 256 1024 4096")
   settings("area-adaptive", "`--error`", "error-", "0.05 0.02 0.01 0.005")
   profiles()

@@ -33,7 +33,8 @@ struct IntervalMachine {
       : radius(r), slack(s), out(to), doubt(0.0f) {}
 
   HWY_INLINE Interval about(const F& v, const Tape& tape, Word w) const {
-    const F reach = radius * tape.info[tape.place(w)].lipschitz + mad(abs(v), 1e-5f, slack) + doubt;
+    const WordInfo& info = tape.info[tape.place(w)];
+    const F reach = radius * info.lipschitz + mad(abs(v), 1e-5f + info.doubt, slack) + doubt;
     return {v - reach, v + reach};
   }
   HWY_INLINE Interval acc_of(const Tape& tape, Word w, const Header&, const F& v) const {

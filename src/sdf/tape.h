@@ -100,6 +100,7 @@ struct WordInfo {
   std::uint32_t acc_begin = 0;  ///< the code from there to the word made the accumulator
   std::uint32_t v_begin = 0;    ///< restore: its spill; guard: the end of its group
   float lipschitz = 1;          ///< shapes: of the value along the world's metres
+  float doubt = 0;              ///< shapes: part of the value that may be missing from the distance
 };
 
 struct Surface {
