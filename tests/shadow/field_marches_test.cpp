@@ -76,6 +76,7 @@ Scene as_distance_field(const Scene& from) {
     const Vec3 c = (box->lo + box->hi) * 0.5f, h = (box->hi - box->lo) * 0.5f;
     tree.nodes.push_back(leaf(tree, SdfOp::box, {c.x, c.y, c.z, h.x, h.y, h.z}));
   }
+  if (tree.nodes.size() == 1) return from;  // a sheet alone
   tree.nodes[0].first_child = 1;
   tree.nodes[0].child_count = static_cast<std::uint32_t>(tree.nodes.size() - 1);
   scene.sdfs.push_back(std::move(tree));
