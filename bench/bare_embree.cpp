@@ -126,7 +126,9 @@ std::vector<RTCRay> area_rays(const Shadows& shadows, const std::vector<Receiver
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Receiver& p = points[i];
     const Vec3 origin = p.position + p.normal * world.epsilon_at(p.position);
-    const LightPoints light(shadows.lights(), 0, p.position, on_plane_epsilon(world, shadows.lights().light(0).position, p.position));
+    const LightPoints light(
+        shadows.lights(), 0, p.position,
+        on_plane_epsilon(world, shadows.lights().light(0).position, p.position));
     const SamplePattern pattern = samples.pattern(hash(i, 0));
     for (int k = 0; k < count; ++k) {
       const LightTarget t = light.target(pattern, k);

@@ -77,9 +77,7 @@ float World::epsilon_at(const Vec3& p) const {
   return roundings() * std::max(max_component(abs(p)), bounds_.diagonal() / 16);
 }
 
-float World::clearance_epsilon_at(const Vec3& p) const {
-  return std::max(epsilon_at(p), sagitta_);
-}
+float World::clearance_epsilon_at(const Vec3& p) const { return std::max(epsilon_at(p), sagitta_); }
 
 float World::roundings() const {
   // Where a march ends is less exact than where a ray meets a triangle.

@@ -59,11 +59,12 @@ TEST_P(Groups, AnswerAsOneByOne) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Oracle, Groups, ::testing::ValuesIn(oracle_names()), [](const auto& which) {
-  std::string name = which.param;
-  std::erase(name, '-');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Oracle, Groups, ::testing::ValuesIn(oracle_names()),
+                         [](const auto& which) {
+                           std::string name = which.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 using Random = std::mt19937;
 
