@@ -57,6 +57,7 @@ Probed probe_on_gl(const Scene& scene, Arguments& arguments, const std::vector<P
                    Console& console) {
   adapt_to_gl(arguments, scene, console);
   std::vector<ProbeQuery> queries;
+  queries.reserve(points.size());
   for (const ProbePoint& point : points) queries.push_back({point.receiver, point.light});
   ProbeAnswers answers = probe_gl(scene, arguments.render, queries, console);
   if (answers.unfinished > 0)

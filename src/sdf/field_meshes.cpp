@@ -80,6 +80,7 @@ std::vector<FieldMesh> meshes_of_field(const Field& field, const std::optional<B
   for (std::size_t i = 0; i < owners.size(); ++i)
     parts.try_emplace({owners[i].object, owners[i].material}, whole).first->second.add(i);
   std::vector<FieldMesh> meshes;
+  meshes.reserve(parts.size());
   for (auto& [owner, part] : parts) meshes.push_back({part.take(), owner.first, owner.second});
   return meshes;
 }

@@ -61,6 +61,7 @@ Leaf flat(const std::vector<Vec3>& vertices) {
   Constants c;
   c.add(origin).add(u).add(v).add(w);
   std::vector<Point2> outline;
+  outline.reserve(vertices.size());
   for (const Vec3& p : vertices)
     outline.push_back({dot(Vec3d(p) - origin, u), dot(Vec3d(p) - origin, v)});
   add_outline(c, outline);

@@ -17,6 +17,7 @@ struct BitGrid {
   explicit BitGrid(int size = 64) : g(size) { std::fill_n(rows, g, 0); }
   BitGrid(const BitGrid& b) : g(b.g) { std::copy_n(b.rows, g, rows); }
   BitGrid& operator=(const BitGrid& b) {
+    if (this == &b) return *this;
     g = b.g;
     std::copy_n(b.rows, g, rows);
     return *this;
