@@ -186,8 +186,8 @@ class Builder {
     const float part = size / side;
     std::vector<Cube> cubes;
     for (int i = 0; i < brick_cells; ++i) {
-      const Vec3 at(static_cast<float>(i % side), static_cast<float>(i / side % side),
-                    static_cast<float>(i / (side * side)));
+      const int x = i % side, y = i / side % side, z = i / (side * side);
+      const Vec3 at(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
       cubes.push_back(
           {center + (at - Vec3(0.5f * (side - 1))) * part, 0.5f * part * std::sqrt(3.0f)});
     }

@@ -74,8 +74,7 @@ class AdaptiveArea::Search {
  public:
   Search(const AdaptiveArea& area, const Receiver& receiver, std::size_t light,
          std::uint64_t stream, bool unoccluded)
-      : area_(area),
-        rays_(area.world_, area.lights_, receiver, light,
+      : rays_(area.world_, area.lights_, receiver, light,
               area.samples_.unshifted_pattern(hash(stream, light)), unoccluded),
         cells_(area.cells_[static_cast<std::size_t>(rays_.pattern().table)]) {
     for (const std::uint16_t point : cells_.first) ask(point);
@@ -176,7 +175,6 @@ class AdaptiveArea::Search {
     slots_ = round_;
   }
 
-  const AdaptiveArea& area_;
   LightRays rays_;
   const Cells& cells_;
   const float *table_x_ = rays_.table_x(), *table_y_ = rays_.table_y();
