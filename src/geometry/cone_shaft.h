@@ -6,9 +6,7 @@
 // a sun the slices grow without end, and s is a distance.
 #pragma once
 
-#include <span>
-
-#include "geometry/cone_tree.h"
+#include "geometry/cone_batch.h"
 
 namespace penumbra {
 
@@ -21,10 +19,6 @@ struct ConeShaft {
   Vec3 normal_lo, normal_hi;  ///< of the points' horizons
   float lift = 0;             ///< most that the center is above a horizon
   float epsilon = 0;          ///< heights above a horizon up to this are still on it
-
-  /// Round all of `queries`, at least one: all to lights at finite distance or all to a sun.
-  /// `ends`: cone_end() of each. `bounds`: of everything in the tree.
-  ConeShaft(std::span<const ConeQuery> queries, std::span<const Bounds> ends, const Bounds& bounds);
 };
 
 /// One cone round the cones of a few points, for triangles: all of them lie where
@@ -36,18 +30,8 @@ struct ConeBundle {
   float offset = 0;    ///< metres
   bool valid = false;  ///< false: the cones are too wide or point apart
 
-  ConeBundle(std::span<const ConeQuery> queries, const Vec3& center);
-};
-
-/// The box round a cone's far end; of a sun's cone, whose end is nowhere, that of how much its
-/// slice grows in a metre.
-Bounds cone_end(const ConeQuery& query);
-
-/// Queries with their ends and answers, three spans of one size.
-struct ConeGroup {
-  std::span<const ConeQuery> queries;
-  std::span<const Bounds> ends;
-  std::span<float> clearances;
+  /// Of the `count` queries from `first` on.
+  ConeBundle(const ConeBatch& queries, std::size_t first, std::size_t count, const Vec3& center);
 };
 
 }  // namespace penumbra

@@ -22,17 +22,13 @@ float ConeTree::least_clearance(const ConeQuery& query, const SearchLimit& limit
   return sink.best();
 }
 
-void ConeTree::least_clearances(std::span<const ConeQuery> queries, const SearchLimit& limit,
+void ConeTree::least_clearances(const ConeBatch& queries, const SearchLimit& limit,
                                 std::span<float> clearances, ConeCounts& counts) const {
-  if (queries.empty()) return;
-  if (data_->root.kind() == ChildKind::none) {
-    for (std::size_t i = 0; i < queries.size(); ++i) clearances[i] = queries[i].outer;
-    return;
-  }
-  thread_local std::vector<Bounds> ends;
-  ends.clear();
-  for (const ConeQuery& query : queries) ends.push_back(cone_end(query));
-  HWY_DYNAMIC_DISPATCH(walk_for_group)(*data_, {queries, ends, clearances}, limit, counts);
+  if (queries.size() == 0) return;
+  if (data_->root.kind() != ChildKind::none)
+    HWY_DYNAMIC_DISPATCH(walk_for_group)(*data_, queries, clearances, limit, counts);
+  else
+    std::copy_n(queries.column(ConeBatch::outer), queries.size(), clearances.begin());
 }
 
 void ConeTree::object_clearances(const ConeQuery& query, std::vector<ObjectClearance>& out,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geometry/alpha_mask.h"
+#include "geometry/cone_query.h"
 #include "scene/scene.h"
 
 namespace penumbra {
@@ -32,21 +33,7 @@ struct SearchLimit {
   static SearchLimit exact();
 };
 
-struct ConeQuery {
-  Vec3 origin;
-  Vec3 direction;             ///< unit
-  float distance = INFINITY;  ///< to the light; occluders beyond do not count
-  float outer = 0;            ///< clearance from which on nothing matters, > 0: D / A
-  Vec3 horizon;       ///< unit normal at the origin: what is not above this plane is no occluder
-  float epsilon = 0;  ///< metres above the plane that still lie on it
-  bool has_plane = false;      ///< a flat light's plane: what is not in front of it is no occluder
-  Vec3 plane_normal;           ///< unit, towards the origin
-  float plane_distance = 0;    ///< of the origin in front of it, metres
-  float plane_epsilon = 0;     ///< metres in front of it that still lie on it
-  int excluded_instance = -1;  ///< no occluder
-  bool lower_bound = false;    ///< never more than the true clearance, where the answer otherwise
-                               ///< is: spheres by their tangents, cut-outs without their holes
-};
+class ConeBatch;
 
 struct ConeCounts {
   std::uint64_t nodes = 0, leaves = 0;
@@ -76,7 +63,7 @@ class ConeTree {
   /// what no cone of a group touches is looked at once for all of them. With a limit that is not
   /// exact the answers may differ from those of single queries, within what the limit allows.
   /// `clearances`: as many as queries.
-  void least_clearances(std::span<const ConeQuery> queries, const SearchLimit& limit,
+  void least_clearances(const ConeBatch& queries, const SearchLimit& limit,
                         std::span<float> clearances, ConeCounts& counts) const;
 
   /// For every object that has one the least clearance below query.outer, exactly; stops early if

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "geometry/embree_scene.h"
-#include "shadow/centre_rays.h"
+#include "shadow/centre_views.h"
 #include "shadow/profile.h"
 #include "shadow/shadows.h"
 
@@ -25,29 +25,55 @@ void Shadows::visibilities(std::span<const Receiver> receivers, std::size_t ligh
   }
 }
 
-void Shadows::parker_group(std::span<const Receiver> receivers, std::size_t light,
-                           std::span<Visibility> out, ShadowCounts& counts) const {
-  thread_local std::vector<ConeQuery> queries;
-  thread_local std::vector<std::uint32_t> asked;
-  thread_local std::vector<float> clearances;
-  queries.clear(), asked.clear();
+CentreLight Shadows::centre_light(const Light& source) const {
+  CentreLight centre;
+  centre.endless = source.type == LightType::sun;
+  centre.at = centre.endless ? -source.direction : source.position;
+  centre.diameter = diameter_of(source);
+  centre.flat = source.type == LightType::disk || source.type == LightType::rect;
+  centre.normal = source.normal;
+  centre.epsilon = world_.epsilon_at(source.position);
+  centre.roundings = world_.roundings();
+  centre.least_epsilon = centre.least_on_plane = world_.epsilon_at({});
+  return centre;
+}
+
+void Shadows::mesh_queries(std::span<const Receiver> receivers, std::size_t light,
+                           ConeBatch& queries, std::vector<std::uint32_t>& which) const {
+  which.clear();
+  const Light& source = lights_.light(light);
+  queries.clear(receivers.size(), lights_.mesh_light(light).flat, source.instance);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const auto view = lights_.view(light, receivers[i].position);
-    out[i] = {0, 0};
     if (!view || dot(view->direction, receivers[i].normal) <= 0) continue;
-    if (view->diameter_over_distance > 0) {
-      queries.push_back(cone_query(receivers[i], *view));
-      asked.push_back(static_cast<std::uint32_t>(i));
-    } else {
-      out[i].fraction = hard(receivers[i], *view, counts);
-    }
+    queries.push_back(cone_query(receivers[i], *view));
+    which.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+void Shadows::parker_group(std::span<const Receiver> receivers, std::size_t light,
+                           std::span<Visibility> out, ShadowCounts& counts) const {
+  const Light& source = lights_.light(light);
+  if (source.type != LightType::mesh && !(diameter_of(source) > 0))
+    return hard_packets(receivers, light, out, counts);
+  thread_local ConeBatch queries;
+  thread_local std::vector<std::uint32_t> which;
+  thread_local std::vector<float> clearances;
+  if (source.type == LightType::mesh) {
+    mesh_queries(receivers, light, queries, which);
+  } else {
+    CentreLight centre = centre_light(source);
+    centre.least_epsilon = world_.clearance_epsilon_at({});
+    find_centre_views(receivers, centre, queries, which);
   }
   clearances.resize(queries.size());
   ConeCounts cone;
   world_.cone_tree().least_clearances(queries, limit_, clearances, cone);
+  std::fill(out.begin(), out.end(), Visibility{0, 0});
+  const float* outer = queries.column(ConeBatch::outer);
   for (std::size_t i = 0; i < queries.size(); ++i)
-    out[asked[i]].fraction =
-        visible_fraction(options_.profile, std::min(clearances[i] / queries[i].outer, 1.0f));
+    out[which[i]].fraction =
+        visible_fraction(options_.profile, std::min(clearances[i] / outer[i], 1.0f));
   counts.cones += queries.size();
   counts.cone_nodes += cone.nodes, counts.cone_leaves += cone.leaves;
 }
@@ -60,25 +86,32 @@ void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t ligh
       out[i] = visibility(receivers[i], light, 0, counts);
     return;
   }
-  CentreLight centre;
-  centre.endless = source.type == LightType::sun;
-  centre.at = centre.endless ? -source.direction : source.position;
-  centre.flat = source.type == LightType::disk || source.type == LightType::rect;
-  centre.normal = source.normal;
-  centre.epsilon = world_.epsilon_at(source.position);
-  centre.least_epsilon = world_.epsilon_at({});
-  centre.roundings = world_.roundings();
-  for (std::size_t first = 0; first < receivers.size(); first += 8) {
-    const std::size_t count = std::min<std::size_t>(8, receivers.size() - first);
-    RTCRay8 rays;
-    alignas(32) std::array<int, 8> valid;
-    make_centre_rays(receivers.subspan(first, count), centre, rays, valid.data());
-    world_.occluded(valid.data(), rays);
-    for (std::size_t i = 0; i < count; ++i) {
-      counts.rays += valid[i] != 0;
-      out[first + i] = {valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0f : 0.0f, 0};
-    }
+  const CentreLight centre = centre_light(source);
+  std::fill(out.begin(), out.end(), Visibility{0, 0});
+  // What belongs to so many stays in the nearest cache.
+  constexpr std::size_t block = 256;
+  for (std::size_t first = 0; first < receivers.size(); first += block) {
+    const std::size_t count = std::min(block, receivers.size() - first);
+    counts.rays += trace_centre(receivers.subspan(first, count), centre, out.subspan(first, count));
   }
+}
+
+std::size_t Shadows::trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
+                                  std::span<Visibility> out) const {
+  thread_local ConeBatch queries;
+  thread_local std::vector<std::uint32_t> which;
+  find_centre_views(receivers, light, queries, which);
+  RTCRay8 rays{};
+  std::fill_n(rays.mask, 8, 0xffffffffu);
+  alignas(32) std::array<int, 8> valid;
+  for (std::size_t first = 0; first < queries.size(); first += 8) {
+    write_centre_rays(queries, first, rays, valid.data());
+    world_.occluded(valid.data(), rays);
+    const std::size_t count = std::min<std::size_t>(8, queries.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+      out[which[first + i]].fraction = rays.tfar[i] >= 0 ? 1.0f : 0.0f;
+  }
+  return queries.size();
 }
 
 }  // namespace penumbra

@@ -73,6 +73,8 @@ void set_plane(LightView& view, const Vec3& normal, const Vec3& center, const Ve
   view.plane_distance = std::abs(d);
 }
 
+}  // namespace
+
 float diameter_of(const Light& light) {
   switch (light.type) {
     case LightType::sphere:
@@ -82,12 +84,12 @@ float diameter_of(const Light& light) {
       return disk_diameter(length(cross(light.edge_u, light.edge_v)));
     case LightType::segment:
       return disk_diameter(2 * light.radius * length(light.edge_u));
+    case LightType::sun:
+      return 2 * std::tan(light.angular_diameter / 2);
     default:
       return 0;
   }
 }
-
-}  // namespace
 
 bool is_point(const Light& light) {
   switch (light.type) {
@@ -118,7 +120,7 @@ std::optional<LightView> LightViews::view(std::size_t index, const Vec3& point) 
   LightView view;
   if (light.type == LightType::sun) {
     view.direction = -light.direction;
-    view.diameter_over_distance = 2 * std::tan(light.angular_diameter / 2);
+    view.diameter_over_distance = diameter_of(light);
     return view;
   }
   if (light.type == LightType::mesh) return mesh_view(index, point);

@@ -11,6 +11,9 @@ namespace penumbra {
 /// Whether a light is without extent: to every receiver one point, or one direction.
 bool is_point(const Light& light);
 
+/// D of a light without faces, metres; of a sun D / A.
+float diameter_of(const Light& light);
+
 struct LightView {
   Vec3 direction;                    ///< unit, from the point to the light's centre
   float distance = INFINITY;         ///< A, to the centre; infinite for a sun

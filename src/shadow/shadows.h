@@ -85,6 +85,7 @@ struct ShadowCounts {
 };
 
 class AdaptiveArea;
+struct CentreLight;
 
 /// Immutable; every query is thread-safe. Keeps a reference to the world.
 class Shadows {
@@ -133,8 +134,13 @@ class Shadows {
   ConeQuery cone_query(const Receiver& receiver, const LightView& view) const;
   void hard_packets(std::span<const Receiver> receivers, std::size_t light,
                     std::span<Visibility> out, ShadowCounts& counts) const;
+  std::size_t trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
+                           std::span<Visibility> out) const;
   void field_marches(std::span<const Receiver> receivers, std::size_t light,
                      std::span<Visibility> out, ShadowCounts& counts) const;
+  CentreLight centre_light(const Light& source) const;
+  void mesh_queries(std::span<const Receiver> receivers, std::size_t light, ConeBatch& queries,
+                    std::vector<std::uint32_t>& which) const;
   void parker_group(std::span<const Receiver> receivers, std::size_t light,
                     std::span<Visibility> out, ShadowCounts& counts) const;
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "geometry/cone_batch.h"
 #include "shadow/oracle.h"
 
 namespace penumbra::testing {
@@ -150,18 +151,20 @@ TEST(Groups, PlacedMeshesAreSeenAsOneByOne) {
   const ConeTree placed(scene, 0), copied(scene);
   const auto receivers = clusters(random, 500);
   std::vector<ConeQuery> queries;
+  ConeBatch batch;
+  batch.clear(receivers.size(), false, -1);
   for (const Receiver& r : receivers) {
     ConeQuery q;
     const Vec3 to = scene.lights[0].position - r.position;
     q.origin = r.position, q.horizon = r.normal, q.epsilon = 1e-6f;
     q.distance = length(to), q.direction = to / q.distance, q.outer = 0.6f / q.distance;
-    queries.push_back(q);
+    queries.push_back(q), batch.push_back(q);
   }
   std::vector<float> group(queries.size());
   ConeCounts counts;
   int found = 0;
   for (const ConeTree* tree : {&placed, &copied}) {
-    tree->least_clearances(queries, SearchLimit::exact(), group, counts);
+    tree->least_clearances(batch, SearchLimit::exact(), group, counts);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const float alone = copied.least_clearance(queries[i], SearchLimit::exact(), counts);
       ASSERT_NEAR(group[i], alone, 1e-4f * queries[i].outer + 1e-6f) << i;
