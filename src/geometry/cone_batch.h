@@ -28,6 +28,7 @@ class ConeBatch {
   }
 
   std::size_t size() const { return size_; }
+  int excluded_instance() const { return excluded_instance_; }
   bool has_plane() const { return has_plane_; }
   /// Columns are written first; then the size is set.
   void set_size(std::size_t size) { size_ = size; }

@@ -102,12 +102,24 @@ class GroupWalk {
   Frontier* narrow(const Frontier& from, const ConeShaft& shaft, Frontier* out, Frontier* spare) {
     for (const WideNode& node : from.all()) {
       ++counts_.nodes;
-      for (std::uint32_t hits = children_in(node, shaft); hits; hits &= hits - 1)
-        out->add(node, std::countr_zero(hits));
+      add(*out, node, children_in(node, shaft));
     }
     for (bool goes_on = true; goes_on; std::swap(out, spare)) goes_on = open(*out, shaft, *spare);
     out->close();
     return out;
+  }
+
+  /// But for the light that the queries are for.
+  HWY_INLINE void add(Frontier& out, const WideNode& node, std::uint32_t hits) const {
+    for (; hits; hits &= hits - 1) {
+      const int lane = std::countr_zero(hits);
+      const Child child = node.child[lane];
+      if (queries_.excluded_instance() >= 0 && child.kind() == ChildKind::placement &&
+          static_cast<int>(data_.placements[child.index()].instance) ==
+              queries_.excluded_instance())
+        continue;
+      out.add(node, lane);
+    }
   }
 
   /// One level down, as far as there is room; false if nothing is left to open.
@@ -121,14 +133,14 @@ class GroupWalk {
       }
       const WideNode& node = data_.nodes[from.child(k).index()];
       ++counts_.nodes;
-      std::uint32_t hits = children_in(node, shaft);
+      const std::uint32_t hits = children_in(node, shaft);
       full = out.count() + std::popcount(hits) + from.count() - k - 1 > Frontier::most;
       if (full) {
         out.add(from, k);
         continue;
       }
       opened = true;
-      for (; hits; hits &= hits - 1) out.add(node, std::countr_zero(hits));
+      add(out, node, hits);
     }
     return opened && !full;
   }
@@ -153,7 +165,7 @@ class GroupWalk {
 
   void ask(std::size_t i, const Frontier& from) {
     const ConeQuery query = queries_.query(i);
-    const LocalQuery local = local_query(data_, query);
+    const LocalQuery local(query, data_.bounds);
     LeastSink sink(query.outer, limit_);
     Walk<LeastSink> walk(data_, local, sink, counts_);
     walk.run(from.all(), last_, query);

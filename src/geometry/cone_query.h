@@ -18,7 +18,7 @@ struct ConeQuery {
   Vec3 plane_normal;           ///< unit, towards the origin
   float plane_distance = 0;    ///< of the origin in front of it, metres
   float plane_epsilon = 0;     ///< metres in front of it that still lie on it
-  int excluded_instance = -1;  ///< no occluder
+  int excluded_instance = -1;  ///< a mesh light's: no occluder
   bool lower_bound = false;    ///< never more than the true clearance, where the answer otherwise
                                ///< is: spheres by their tangents, cut-outs without their holes
 };

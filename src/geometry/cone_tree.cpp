@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "geometry/cone_tree_data.h"
 #include "geometry/wide_builder.h"
@@ -30,6 +31,9 @@ class Builder {
 
   void build() {
     count_instanced();
+    for (const Light& light : scene_.lights)
+      if (light.type == LightType::mesh)
+        emissive_.insert(static_cast<std::uint32_t>(light.instance));
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) add_instance(i);
     for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
       const Sphere& s = scene_.spheres[i];
@@ -56,6 +60,7 @@ class Builder {
   void add_instance(std::uint32_t index) {
     const Instance& instance = scene_.instances[index];
     if (data_.masks.find(instance.material)) return add_cut_outs(index);
+    if (emissive_.contains(index)) return add_emissive(index);
     // A similarity keeps circular cones circular; any other map is applied to the vertices.
     if (instanced_triangles_ > most_copied_ && !instance.world_from_mesh.is_identity() &&
         is_similarity(instance.world_from_mesh))
@@ -87,28 +92,39 @@ class Builder {
   void add_placement(std::uint32_t index) {
     const Instance& instance = scene_.instances[index];
     const Affine& m = instance.world_from_mesh;
-    const Child root = subtree(instance.mesh);
-    if (root.kind() == ChildKind::none) return;
-    primitives_.push_back({bounds_of(scene_, instance), ChildKind::placement,
-                           static_cast<std::uint32_t>(data_.placements.size())});
-    data_.placements.push_back({root, index, inverse(m), static_cast<float>(1 / length(m.x))});
+    const auto [known, is_new] = subtrees_.try_emplace(instance.mesh);
+    if (is_new) known->second = subtree(instance.mesh, {});
+    place({known->second, index, inverse(m), static_cast<float>(1 / length(m.x))});
   }
 
-  Child subtree(std::uint32_t mesh_index) {
-    const auto [known, is_new] = subtrees_.try_emplace(mesh_index);
-    if (!is_new) return known->second;
+  /// A subtree of its own, which queries to its own light pass over as a whole.
+  void add_emissive(std::uint32_t index) {
+    const Instance& instance = scene_.instances[index];
+    place({subtree(instance.mesh, instance.world_from_mesh), index, {}, 1});
+  }
+
+  void place(const Placement& placement) {
+    if (placement.root.kind() == ChildKind::none) return;
+    primitives_.push_back({bounds_of(scene_, scene_.instances[placement.instance]),
+                           ChildKind::placement,
+                           static_cast<std::uint32_t>(data_.placements.size())});
+    data_.placements.push_back(placement);
+  }
+
+  /// Of a mesh, moved by `to`.
+  Child subtree(std::uint32_t mesh_index, const Affine& to) {
     const Mesh& mesh = scene_.meshes[mesh_index];
     std::vector<BuildPrimitive> primitives;
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       Vec3 p[3];
-      triangle_corners(mesh, t, {}, p);
+      triangle_corners(mesh, t, to, p);
       primitives.push_back({triangle_bounds(p), ChildKind::triangles, t});
     }
     const PackLeaf pack = [&](ChildKind, const std::uint32_t* ids, int count) {
       return pack_triangles(ids, count,
-                            [&](std::uint32_t id, Vec3* p) { triangle_corners(mesh, id, {}, p); });
+                            [&](std::uint32_t id, Vec3* p) { triangle_corners(mesh, id, to, p); });
     };
-    return known->second = build_wide_tree(primitives, data_.nodes, pack);
+    return build_wide_tree(primitives, data_.nodes, pack);
   }
 
   Child pack_leaf(ChildKind kind, const std::uint32_t* indices, int count) {
@@ -154,6 +170,7 @@ class Builder {
   const Scene& scene_;
   std::vector<BuildPrimitive> primitives_;
   std::map<std::uint32_t, Child> subtrees_;
+  std::set<std::uint32_t> emissive_;  ///< instances that are lights
   std::uint32_t next_id_ = 0;
   std::size_t instanced_triangles_ = 0, most_copied_;
 };
@@ -170,13 +187,6 @@ std::uint32_t ConeTree::Data::instance_of(std::uint32_t id) const {
       std::upper_bound(ranges.begin(), ranges.end(), id,
                        [](std::uint32_t v, const TriangleRange& r) { return v < r.first; });
   return std::prev(after)->instance;
-}
-
-std::pair<std::uint32_t, std::uint32_t> ConeTree::Data::range_of(int instance) const {
-  for (std::size_t i = 0; i + 1 < ranges.size(); ++i)
-    if (instance >= 0 && ranges[i].instance == static_cast<std::uint32_t>(instance))
-      return {ranges[i].first, ranges[i + 1].first};
-  return {0, 0};
 }
 
 ConeTree::ConeTree(const Scene& scene, std::size_t most_copied_triangles)

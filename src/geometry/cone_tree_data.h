@@ -86,8 +86,6 @@ struct ConeTree::Data {
 
   /// The instance that triangle `id` of the world's tree belongs to.
   std::uint32_t instance_of(std::uint32_t id) const;
-  /// Numbers first ≤ id < last of an instance's triangles; empty if it has none here.
-  std::pair<std::uint32_t, std::uint32_t> range_of(int instance) const;
 };
 
 }  // namespace penumbra

@@ -104,7 +104,6 @@ class Walk {
     ++counts_.leaves;
     LeafClearance found;
     triangle_lanes(leaf, q_, sink_.limit(), found);
-    if (q_.excluded_last > q_.excluded_first) exclude(leaf, found);
     if constexpr (Sink::by_object) {
       for (int i = 0; i < tree_width; ++i)
         if (found.lane[i] < sink_.limit()) sink_.offer(found.lane[i], object_of(leaf.id[i]));
@@ -177,12 +176,6 @@ class Walk {
     return bounds;
   }
 
-  void exclude(const TriangleLeaf& leaf, LeafClearance& found) const {
-    for (int i = 0; i < tree_width; ++i)
-      if (leaf.id[i] >= q_.excluded_first && leaf.id[i] < q_.excluded_last)
-        found.lane[i] = infinite;
-  }
-
   std::uint32_t object_of(std::uint32_t id) const {
     const std::uint32_t instance = placed_ != 0xffffffffu ? placed_ : data_.instance_of(id);
     return data_.scene->instances[instance].object;
@@ -199,16 +192,9 @@ class Walk {
   int size_ = 0;
 };
 
-HWY_INLINE LocalQuery local_query(const ConeTree::Data& data, const ConeQuery& query) {
-  LocalQuery local(query, data.bounds);
-  if (query.excluded_instance >= 0)
-    std::tie(local.excluded_first, local.excluded_last) = data.range_of(query.excluded_instance);
-  return local;
-}
-
 template <class Sink>
 void walk(const ConeTree::Data& data, const ConeQuery& query, Sink& sink, ConeCounts& counts) {
-  const LocalQuery local = local_query(data, query);
+  const LocalQuery local(query, data.bounds);
   Walk<Sink>(data, local, sink, counts).run(data.root, query);
 }
 

@@ -24,7 +24,6 @@ struct LocalQuery {
   Vec3 plane_normal;
   float plane_distance = 0, plane_epsilon = 0;
   bool lower_bound = false;
-  std::uint32_t excluded_first = 0, excluded_last = 0;
 
   /// `bounds`: of everything in the tree.
   HWY_INLINE LocalQuery(const ConeQuery& q, const Bounds& bounds)

@@ -14,10 +14,8 @@ float reach_of(const LightViews& lights, std::size_t index, const Vec3& center) 
     case LightType::segment:
       return length(light.edge_u) / 2;
     case LightType::mesh: {
-      float most = 0;
-      for (const LightFace& f : lights.mesh_light(index).faces)
-        for (const Vec3& p : {f.a, f.b, f.c}) most = std::max(most, length(p - center));
-      return most;
+      const MeshLight& mesh = lights.mesh_light(index);
+      return length(mesh.center - center) + mesh.radius;
     }
     default:
       return light.radius;

@@ -74,27 +74,23 @@ void LightPoints::set_faces(const MeshLight& mesh, bool double_sided) {
   shape_.kind = Kind::faces;
   shape_.two_sided = double_sided;
   mesh_ = &mesh;
-  // Of a flat mesh all faces are turned to the point or none, and either way all count.
-  if (mesh.flat || mesh.takes_all(point_, double_sided)) {
-    shape_.area = mesh.areas.empty() ? 0 : mesh.areas.back();
-    return;
-  }
-  double sum = 0;
-  for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
-    if (!MeshLight::turned(mesh.faces[i], point_)) continue;
-    turned_.push_back(i);
-    turned_area_.push_back(static_cast<float>(sum += double(mesh.faces[i].area)));
-  }
-  shape_.area = static_cast<float>(sum);
+  shape_.area = mesh.seen_from(point_, double_sided, &runs_).area;
 }
 
 LightPoints::OnFace LightPoints::on_face(float x, float y) const {
-  const std::vector<float>& areas = turned_.empty() ? mesh_->areas : turned_area_;
-  if (areas.empty()) return {};
-  const float before = x * shape_.area;
-  const auto at = std::upper_bound(areas.begin(), areas.end() - 1, before);
+  if (runs_.empty()) return {};
+  // The run, and the place among all areas that stands for this one among the runs'.
+  float before = x * shape_.area;
+  const auto run =
+      std::upper_bound(runs_.begin(), runs_.end() - 1, before,
+                       [](float area, const MeshLight::Run& r) { return area < r.area; });
+  if (run != runs_.begin()) before -= std::prev(run)->area;
+  const std::vector<float>& areas = mesh_->areas;
+  if (run->first > 0) before += areas[run->first - 1];
+  const auto at =
+      std::upper_bound(areas.begin() + run->first, areas.begin() + run->last - 1, before);
   const auto i = static_cast<std::size_t>(at - areas.begin());
-  const LightFace& face = mesh_->faces[turned_.empty() ? i : turned_[i]];
+  const LightFace& face = mesh_->faces[i];
   const float left = i > 0 ? before - areas[i - 1] : before;
   const float root = std::sqrt(std::clamp(left / face.area, 0.0f, 1.0f));
   return {face.a * (1 - root) + face.b * (root * (1 - y)) + face.c * (root * y) - point_,

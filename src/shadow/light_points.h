@@ -31,8 +31,8 @@ inline float on_plane_epsilon(const World& world, const Vec3& on_light, const Ve
 
 /// Makes the targets of one light for one receiver. Sphere lights and suns by solid angle, disk,
 /// rect and mesh lights by area, segments by length. `epsilon`: metres in front of a flat light
-/// that are still on it. Cheap to construct, but for a mesh light of which some faces are turned
-/// away, which looks at every face; not thread-safe.
+/// that are still on it. Cheap to construct, but for a mesh light with many faces
+/// along the rim of what is turned to the receiver; not thread-safe.
 class LightPoints {
  public:
   LightPoints(const LightViews& lights, std::size_t light, const Vec3& point, float epsilon);
@@ -75,9 +75,7 @@ class LightPoints {
   Shape shape_;
   bool takes_disk_ = false;
   const MeshLight* mesh_ = nullptr;
-  /// Of a mesh some of whose faces are turned away: the others, and their areas summed up.
-  std::vector<std::uint32_t> turned_;
-  std::vector<float> turned_area_;
+  std::vector<MeshLight::Run> runs_;  ///< of the faces that count
 };
 
 }  // namespace penumbra

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "shadow/mesh_light.h"
 
 namespace penumbra {
 
@@ -23,28 +24,6 @@ struct LightView {
   Vec3 plane_normal;         ///< unit, towards the point
   float plane_distance = 0;  ///< of the point in front of the plane
   int own_instance = -1;     ///< mesh light: this instance does not occlude
-};
-
-/// One face of a mesh light, world frame.
-struct LightFace {
-  Vec3 a, b, c;
-  Vec3 normal;  ///< unit, by the winding
-  float area = 0;
-};
-
-/// The surface of a mesh light.
-struct MeshLight {
-  std::vector<LightFace> faces;
-  std::vector<float> areas;  ///< of the faces up to and with each
-  bool flat = false;         ///< all faces in one plane, to floating-point error
-  bool closed = false;       ///< every edge has two faces: its far side is hidden by its near side
-
-  /// Which faces can light the point: those turned to it; of an open double-sided mesh all; where
-  /// none is turned to it all (its visible fraction is defined everywhere, its light is zero).
-  bool takes_all(const Vec3& point, bool double_sided) const;
-  static bool turned(const LightFace& face, const Vec3& point) {
-    return dot(face.normal, point - face.a) > 0;
-  }
 };
 
 /// All lights of a scene. Immutable; queries are thread-safe. Keeps a reference to the scene.

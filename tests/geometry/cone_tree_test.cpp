@@ -163,6 +163,12 @@ TEST(ConeTree, ObjectsHaveTheirOwnLeastClearance) {
   }
 }
 
+void make_light(Scene& scene, int instance) {
+  Light light;
+  light.type = LightType::mesh, light.instance = instance;
+  scene.lights.push_back(light);
+}
+
 TEST(ConeTree, ExcludedInstanceDoesNotOcclude) {
   Random random(5);
   Scene scene = scene_of(soup(random, 40, 0.3f));
@@ -170,6 +176,7 @@ TEST(ConeTree, ExcludedInstanceDoesNotOcclude) {
   scene.instances.push_back({1, 0, 0, -1, {}});
   Scene without = scene;
   without.instances.pop_back();
+  make_light(scene, 1);
   const ConeTree tree(scene);
   for (int i = 0; i < 500; ++i) {
     ConeQuery q = random_query(random);
@@ -180,9 +187,10 @@ TEST(ConeTree, ExcludedInstanceDoesNotOcclude) {
   }
 }
 
-void expect_without_the_second(const Scene& scene, Random& random) {
+void expect_without_the_second(Scene scene, Random& random) {
   Scene without = scene;
   without.instances.pop_back();
+  make_light(scene, 1);
   const ConeTree tree(scene, 0);
   for (int i = 0; i < 300; ++i) {
     ConeQuery q = random_query(random);
@@ -190,6 +198,20 @@ void expect_without_the_second(const Scene& scene, Random& random) {
     ConeCounts counts;
     ASSERT_NEAR(tree.least_clearance(q, SearchLimit::exact(), counts), brute_force(without, q),
                 2e-5);
+  }
+}
+
+TEST(ConeTree, ALampOccludesForOtherLights) {
+  Random random(15);
+  Scene scene = scene_of(soup(random, 40, 0.3f));
+  scene.meshes.push_back(soup(random, 40, 0.3f));
+  scene.instances.push_back({1, 0, 0, -1, {{0, 1, 0}, {-2, 0, 0}, {0, 0, 1}, {0.1, 0, 0}}});
+  make_light(scene, 1);
+  const ConeTree tree(scene);
+  for (int i = 0; i < 300; ++i) {
+    const ConeQuery q = random_query(random);
+    ConeCounts counts;
+    ASSERT_NEAR(tree.least_clearance(q, SearchLimit::exact(), counts), brute_force(scene, q), 2e-5);
   }
 }
 

@@ -94,7 +94,8 @@ TEST(LightPoints, OfAMeshFallOnTheTurnedFacesByArea) {
   for (const Vec3& from : {Vec3{4, 2.8f, 0.1f}, Vec3{0, 0, 0}, Vec3{5, 9, 0}}) {
     const LightPoints points(lights, 0, from, 0);
     const SamplePattern pattern = samples.pattern(3);
-    const bool all = mesh.takes_all(from, false);
+    const bool all = std::none_of(mesh.faces.begin(), mesh.faces.end(),
+                                  [&](const LightFace& f) { return MeshLight::turned(f, from); });
     float area = 0;
     for (const LightFace& f : mesh.faces) area += all || MeshLight::turned(f, from) ? f.area : 0;
     std::vector<int> hits(mesh.faces.size());
