@@ -127,19 +127,32 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
 
 void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
            std::vector<TilePoint>& points) {
+  // Embree takes eight at a time; marches fill their lanes again from all that there are.
+  const std::size_t at_once = world.has_solids() ? rays.size() : 8;
+  thread_local std::vector<Ray> asked;
+  thread_local std::vector<std::optional<Hit>> hits;
+  thread_local std::vector<Hit> met;
+  thread_local std::vector<std::uint32_t> which;
+  thread_local std::vector<Surface> surfaces;
   points.resize(rays.size());
+  asked.resize(at_once), hits.resize(at_once);
   std::size_t count = 0;
-  constexpr std::size_t packet_size = 8;
-  Ray packet[packet_size];
-  std::optional<Hit> hits[packet_size];
-  for (std::size_t first = 0; first < rays.size(); first += packet_size) {
-    const auto some = rays.subspan(first, std::min(packet_size, rays.size() - first));
-    for (std::size_t i = 0; i < some.size(); ++i) packet[i] = some[i].beam.ray;
-    world.intersect({packet, some.size()}, hits);
-    for (std::size_t i = 0; i < some.size(); ++i)
-      if (hits[i])
-        set_point(points[count++], some[i], *hits[i], world.surface(packet[i], *hits[i]),
-                  materials);
+  for (std::size_t first = 0; first < rays.size(); first += at_once) {
+    const auto some = rays.subspan(first, std::min(at_once, rays.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) asked[i] = some[i].beam.ray;
+    world.intersect({asked.data(), some.size()}, hits.data());
+    met.clear(), which.clear();
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (!hits[i]) continue;
+      asked[met.size()] = asked[i];
+      met.push_back(*hits[i]);
+      which.push_back(static_cast<std::uint32_t>(i));
+    }
+    surfaces.resize(std::max(surfaces.size(), met.size()));
+    const std::span found(surfaces.data(), met.size());
+    world.surfaces({asked.data(), met.size()}, met, found);
+    for (std::size_t i = 0; i < met.size(); ++i)
+      set_point(points[count++], some[which[i]], met[i], found[i], materials);
   }
   points.resize(count);
 }
