@@ -76,6 +76,7 @@ Points& columns_of(std::span<const Vec3> points) {
 Field::Field(const Scene& scene, const FieldOptions& options)
     : data_(std::make_unique<FieldData>()) {
   data_->tape = compile(scene, {options.only_distance_fields, options.mesh_distance});
+  if (!options.prune) data_->tape.runs.clear();
   data_->bounds = bounds_in(scene, options, data_->is_bounded);
   data_->regions = regions_for(*data_, scene, options);
 }

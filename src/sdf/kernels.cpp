@@ -108,6 +108,8 @@ void shadow_of(const FieldData& field, ShadowMarch kind, std::span<const ShadowR
       return shadow_rays<ShadowMarch::inner>(field, rays, out, options);
     case ShadowMarch::blog:
       return shadow_rays<ShadowMarch::blog>(field, rays, out, options);
+    case ShadowMarch::hard:
+      return shadow_rays<ShadowMarch::hard>(field, rays, out, options);
     case ShadowMarch::inner_abs:
       return shadow_rays<ShadowMarch::inner_abs>(field, rays, out, options);
   }
