@@ -2,19 +2,20 @@
 
 # measure_fields NAME [arguments…]: NAME.tsv
 measure_fields() {
-  name=$1
+  note "distance fields: $1"
+  fields_file=$work/$1.tsv
   shift
-  note "distance fields: $name"
-  "$bin/bench_fields" --threads 2 "$@" >"$work/$name.tsv" ||
-    die "bench_fields failed: $*"
+  "$bin/bench_fields" --threads 2 "$@" >"$fields_file" || die "bench_fields failed: $*"
 }
 
 # measure_llvmpipe NAME [arguments…]: NAME-256.tsv and NAME-512.tsv, by the width of its vectors.
 measure_llvmpipe() {
-  name=$1
+  drawn=$1
   shift
-  measure_fields "$name-256" --gl "$@"
-  LP_NATIVE_VECTOR_WIDTH=512 measure_fields "$name-512" --gl "$@"
+  measure_fields "$drawn-256" --gl "$@"
+  LP_NATIVE_VECTOR_WIDTH=512 && export LP_NATIVE_VECTOR_WIDTH
+  measure_fields "$drawn-512" --gl "$@"
+  unset LP_NATIVE_VECTOR_WIDTH
 }
 
 # field_row WHAT NAME VALUE MUST AIM most|least
@@ -50,10 +51,10 @@ field_details() {
   say "| scene | method | our ms | llvmpipe's ms, 8 wide | 16 wide | differ |"
   say "|---|---|---|---|---|---|"
   for part in eight:hard eight:classic eight:improved eight:inner blended:classic; do
-    scene=${part%:*} method=${part#*:}
-    file=$work/$scene-512.tsv
-    say "| $scene | $method | $(calc "1000 * $(named "$file" "cpu/$method")") |" \
-      "$(calc "1000 * $(named "$work/$scene-256.tsv" "gl/$method")") |" \
+    drawn=${part%:*} method=${part#*:}
+    file=$work/$drawn-512.tsv
+    say "| $drawn | $method | $(calc "1000 * $(named "$file" "cpu/$method")") |" \
+      "$(calc "1000 * $(named "$work/$drawn-256.tsv" "gl/$method")") |" \
       "$(calc "1000 * $(named "$file" "gl/$method")") |" \
       "$(calc "100 * $(named "$file" "differing/$method")") % |"
   done
@@ -61,9 +62,9 @@ field_details() {
 
 field_rows() {
   if [ -n "$quick" ]; then
-    field_size=256x144 blended_size=32x18
+    field_size=256x144 blended_size=64x36
   else
-    field_size=1280x720 blended_size=160x90
+    field_size=1280x720 blended_size=320x180
   fi
   measure_llvmpipe eight --shapes 8 --size $field_size --repeats "$repeats"
   measure_llvmpipe blended --shapes 1000 --smooth --size $blended_size --repeats 1 --method classic

@@ -25,7 +25,7 @@ std::vector<Ray> rays(const Vec3& eye, float spread) {
       const float x =
           -2 + 0.5f * static_cast<float>(block % 8) + spread * static_cast<float>(i % 4);
       const float y =
-          -0.6f + 0.3f * static_cast<float>(block / 8) + spread * static_cast<float>(i / 4);
+          -0.6f + 0.6f * static_cast<float>(block / 8) + spread * static_cast<float>(i / 4);
       rays.push_back({eye, normalize(Vec3(x, y, 0) - eye)});
     }
   rays.resize(rays.size() - 5);  // not a multiple of anything
