@@ -64,11 +64,11 @@ field_rows() {
   if [ -n "$quick" ]; then
     field_size=256x144 blended_size=64x36
   else
-    field_size=1280x720 blended_size=320x180
+    field_size=1280x720 blended_size=640x360
   fi
-  measure_llvmpipe eight --shapes 8 --size $field_size --repeats "$repeats"
+  measure_llvmpipe eight --shapes 8 --size $field_size --repeats $((2 * repeats))
   measure_llvmpipe blended --shapes 1000 --smooth --size $blended_size --repeats 1 --method classic
-  measure_fields spread --shapes 1000 --against 10 --size $field_size --repeats "$repeats"
+  measure_fields spread --shapes 1000 --against 10 --size $field_size --repeats $((2 * repeats))
   overhead_field_rows
   for method in hard classic improved; do
     llvmpipe_row "llvmpipe / our processor, picture of 8 shapes" eight $method 2.5 8
