@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/parallel.h"
+#include "field_scene.h"
 #include "race.h"
 #include "sdf/march.h"
 
@@ -15,46 +16,6 @@ namespace {
 
 constexpr int width = 1280, height = 720, tile = 16;
 constexpr std::size_t tiles_across = width / tile, tile_count = tiles_across * (height / tile);
-
-void add_node(SdfTree& tree, SdfOp op, std::initializer_list<double> numbers) {
-  SdfNode node;
-  node.op = op;
-  node.first_number = static_cast<std::uint32_t>(tree.numbers.size());
-  node.number_count = static_cast<std::uint32_t>(numbers.size());
-  tree.numbers.insert(tree.numbers.end(), numbers);
-  tree.nodes.push_back(node);
-}
-
-// A floor and count − 1 shapes spread over it, seen by one camera whatever the count.
-Scene scene_of(int count, bool smooth) {
-  Scene scene;
-  scene.objects.push_back({"field"});
-  scene.materials.emplace_back();
-  SdfTree tree;
-  if (smooth)
-    add_node(tree, SdfOp::smooth_union, {0.05});
-  else
-    add_node(tree, SdfOp::union_, {});
-  tree.nodes[0].first_child = 1;
-  tree.nodes[0].child_count = static_cast<std::uint32_t>(count);
-  add_node(tree, SdfOp::plane, {0, 1, 0, 0});
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> u(-1, 1);
-  const double size = 2.2 / std::sqrt(double(count));
-  for (int i = 1; i < count; ++i) {
-    const double x = 3 * u(random), z = 3 * u(random), r = size * (0.3 + 0.1 * u(random));
-    const double y = r * (1 + 0.5 * (1 + u(random)));
-    if (i % 3 == 0) add_node(tree, SdfOp::box, {x, y, z, r, r * 0.8, r * 0.6});
-    if (i % 3 == 1) add_node(tree, SdfOp::sphere, {x, y, z, r});
-    if (i % 3 == 2) add_node(tree, SdfOp::torus, {x, y, z, r, r * 0.3});
-  }
-  scene.sdfs.push_back(std::move(tree));
-  Camera camera;
-  camera.position = {0, 4, 7};
-  camera.look_at = {0, 0.2f, 0};
-  scene.cameras.push_back(camera);
-  return scene;
-}
 
 struct View {
   Vec3 eye, right, up, forward;
@@ -128,7 +89,7 @@ void picture(const sdf::Field& field, const View& view, bool soft, sdf::ShadowMa
 }
 
 void report(int count, bool smooth) {
-  const Scene scene = scene_of(count, smooth);
+  const Scene scene = bench::field_scene(count, smooth);
   const double build = bench::seconds([&] { sdf::Field field(scene); });
   const sdf::Field field(scene);
   sdf::FieldOptions whole;

@@ -59,9 +59,9 @@ describe_machine() {
     "$("$compiler" --version | head -n 1); ${embree}commit $(git describe --always --dirty)."
 }
 
-# put_into PAGE FILE: replaces what is between the page's markers.
+# put_into PAGE FILE MARK: replaces what is between the page's markers of that name.
 put_into() {
-  begin='<!-- bench/run: begin -->' end='<!-- bench/run: end -->'
+  begin="<!-- $3: begin -->" end="<!-- $3: end -->"
   if [ ! -e "$1" ]; then
     printf '# Benchmarks\n\nMade by `bench/run --write`, which says how.\n\n%s\n%s\n' "$begin" \
       "$end" >"$1"

@@ -20,7 +20,7 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 7> kShadows{
     "none", "hard", "area", "parker", "sdf-classic", "sdf-improved", "sdf-inner"};
 constexpr std::array<std::string_view, 1> kLaterShadows{"heckbert-herf"};
-constexpr std::array<std::string_view, 3> kVariants{"published", "blog", "abs"};
+constexpr std::array<std::string_view, 4> kVariants{"published", "blog", "abs", "march"};
 constexpr std::array<std::string_view, 3> kEntries{"auto", "map", "mainImage"};
 constexpr std::array<std::string_view, 3> kProfiles{"cubic", "sine", "linear"};
 constexpr std::array<std::string_view, 3> kComposites{"min", "multiply", "add"};
@@ -124,7 +124,9 @@ void add_field_options(CLI::App& command, Arguments& a) {
       [&](auto& t) {
         shadows.variant = static_cast<SdfVariant>(parse_choice("--variant", t, kVariants));
       },
-      "published; blog (sdf-classic: ratio after the step); abs (sdf-inner: steps of |h|)");
+      "published; blog (sdf-classic: ratio after the step); abs (sdf-inner: steps of |h|); march "
+      "(hard: "
+      "the plain march of sdf-*)");
 }
 
 }  // namespace

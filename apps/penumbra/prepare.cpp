@@ -24,7 +24,8 @@ std::string_view idle_with(const std::string& option, const Arguments& a) {
   const bool of_parker =
       option == "--profile" || option == "--composite" || option == "--tolerance";
   const bool of_fields = option == "--mint" || option == "--steps" || option == "--k";
-  if (of_fields && shadows.kind < ShadowKind::sdf_classic) return method;
+  if (of_fields && !shadows.marches_field()) return method;
+  if (option == "--k" && shadows.kind == ShadowKind::hard) return method;
   if (of_area && shadows.kind != ShadowKind::area) return method;
   if (of_parker && shadows.kind != ShadowKind::parker) return method;
   if (option == "--light-samples" && shadows.error) return "beside --error";
@@ -41,6 +42,8 @@ void check_variant(const Arguments& a) {
     throw InputError("--variant: blog is a variant of sdf-classic", "add --shadows sdf-classic");
   if (variant == SdfVariant::abs && kind != ShadowKind::sdf_inner)
     throw InputError("--variant: abs is a variant of sdf-inner", "add --shadows sdf-inner");
+  if (variant == SdfVariant::march && kind != ShadowKind::hard)
+    throw InputError("--variant: march is a variant of hard", "add --shadows hard");
 }
 
 // A scene without lights is wanted as it is if its own were dropped on purpose: a stand-in keeps
@@ -110,7 +113,7 @@ std::unique_ptr<World> build_world(const Scene& scene, const Arguments& argument
   WorldOptions options;
   options.cone_tree =
       kind == ShadowKind::parker || (kind == ShadowKind::area && scene.sdfs.empty());
-  options.field = kind >= ShadowKind::sdf_classic;
+  options.field = arguments.render.shadows.marches_field();
   options.conversions = arguments.conversion;
   auto world = std::make_unique<World>(scene, options);
   console.finish();

@@ -30,7 +30,7 @@ void check_visibility_has_lights(const Arguments& arguments, const Scene& scene)
 
 void check_steps_are_counted(const Arguments& arguments, const Scene& scene) {
   if (!arguments.render.want_steps) return;
-  if (arguments.render.shadows.kind < ShadowKind::sdf_classic)
+  if (!arguments.render.shadows.marches_field())
     throw InputError("--aov steps: this method does not march", "choose an sdf-* method");
   if (draws_with_gl(arguments, scene))
     throw InputError("--aov steps: OpenGL counts no steps by pixel", "choose --device cpu");

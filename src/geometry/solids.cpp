@@ -41,54 +41,103 @@ sdf::MarchRay march_ray(const sdf::Field& field, const Vec3& origin, const Vec3&
 // Longer than any ray needs that is not lost in a crevice.
 constexpr int most_steps = 65535;
 
+constexpr std::size_t rays_at_once = 256;
+/// Neighbours in Morton's order: four by four of a picture.
+constexpr std::size_t rays_of_cone = 16;
+/// Tangent of half the angle beyond which a cone stops too early to be worth its way.
+constexpr float widest_cone = 0.1f;
+
+/// The axis of the rays' cone, no longer than the longest of them; `slope` grows to hold them all.
+/// No way if they have no origin in common, or go apart.
+sdf::MarchRay axis_of(std::span<const sdf::MarchRay> rays, float& slope) {
+  sdf::MarchRay axis{rays[0].origin, 0, {}, -1};
+  Vec3 sum;
+  float longest = -1, widest = 0;
+  for (const sdf::MarchRay& ray : rays) {
+    if (ray.origin != axis.origin) return axis;
+    sum += ray.direction;
+    longest = std::max(longest, ray.t_max);
+  }
+  axis.direction = normalize(sum);
+  for (const sdf::MarchRay& ray : rays)
+    widest = std::max(widest, length(cross(axis.direction, ray.direction)));
+  // The sine, as a tangent, with room for rounding.
+  widest = 1.01f * widest + 1e-6f;
+  if (!(widest < widest_cone)) return axis;
+  slope = std::max(slope, widest);
+  axis.t_max = longest;
+  return axis;
+}
+
+/// Rays of one origin that go much the same way start where the cone about them may meet something.
+void start_later(const sdf::Field& field, std::span<sdf::MarchRay> rays) {
+  std::array<sdf::MarchRay, rays_at_once / rays_of_cone> axes;
+  std::array<float, axes.size()> ways;
+  const std::size_t count = rays.size() / rays_of_cone;
+  if (count == 0) return;
+  float slope = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    axes[i] = axis_of(rays.subspan(i * rays_of_cone, rays_of_cone), slope);
+  sdf::clear_ways(field, std::span(axes.data(), count), slope, std::span(ways.data(), count));
+  for (std::size_t i = 0; i < count * rays_of_cone; ++i) rays[i].t_min = ways[i / rays_of_cone];
+}
+
 }  // namespace
 
 void World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
-  constexpr std::size_t at_once = 16;
-  for (std::size_t first = 0; first < rays.size(); first += at_once) {
-    const std::size_t count = std::min(at_once, rays.size() - first);
-    std::array<sdf::MarchRay, at_once> marches;
-    std::array<sdf::MarchHit, at_once> found;
+  std::array<sdf::MarchRay, rays_at_once> marches;
+  std::array<sdf::MarchHit, rays_at_once> found;
+  const auto fields = static_cast<std::uint32_t>(scene_.instances.size() + scene_.spheres.size());
+  for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
+    const std::size_t count = std::min(rays_at_once, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
       const auto& known = hits[first + i];
       marches[i] = march_ray(*solids_, ray.origin, ray.direction, known ? known->t : ray.t_max);
     }
+    start_later(*solids_, std::span(marches.data(), count));
     sdf::trace(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
                {most_steps});
-    const auto fields = static_cast<std::uint32_t>(scene_.instances.size() + scene_.spheres.size());
     for (std::size_t i = 0; i < count; ++i)
       if (found[i].hit) hits[first + i] = Hit{found[i].t, 0, 0, {fields, 0}};
   }
 }
 
-Surface World::solid_surface(const Ray& ray, const Hit& hit) const {
-  Surface s;
-  s.position = ray.origin + ray.direction * hit.t;
-  Vec3 normal;
-  solids_->normal(std::span(&s.position, 1), std::span(&normal, 1));
-  // Back onto the surface: the ray's t carries the error of its whole length. Where fields blend or
-  // are divided by their slope they grow slower than the way. 64 errors make a difference that
-  // rounding does not spoil.
-  const float way = 64 * epsilon_at(s.position);
-  const Vec3 points[] = {s.position, s.position + normal * way};
-  float f[2];
-  solids_->distance(points, f);
-  s.position = s.position - normal * (f[0] / std::clamp((f[1] - f[0]) / way, 0.1f, 1.0f));
-  s.front = dot(normal, ray.direction) < 0;
-  s.normal = s.front ? normal : -normal;
-  s.shading_normal = s.normal;
-  s.smooth_position = s.position;
-  sdf::Field::Owner owner{};
-  solids_->owners(std::span(&s.position, 1), std::span(&owner, 1));
-  s.object = owner.object, s.material = owner.material;
-  if (owner.blended) {
-    const sdf::SurfaceAt at = solids_->surface(s.position);
+// Points of a march go back onto the surface: the ray's t carries the error of its whole length.
+// Where fields blend or are divided by their slope they grow slower than the way. 64 errors make a
+// difference that rounding does not spoil.
+void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
+                           std::span<const std::uint32_t> which, std::span<Surface> out) const {
+  thread_local std::vector<Vec3> points, normals, beyond;
+  thread_local std::vector<float> here, there;
+  thread_local std::vector<sdf::Field::Owner> owners;
+  const std::size_t n = which.size();
+  points.resize(n), normals.resize(n), beyond.resize(n);
+  here.resize(n), there.resize(n), owners.resize(n);
+  const auto way = [&](std::size_t i) { return 64 * epsilon_at(points[i]); };
+  for (std::size_t i = 0; i < n; ++i)
+    points[i] = rays[which[i]].origin + rays[which[i]].direction * hits[which[i]].t;
+  solids_->normal(points, normals);
+  for (std::size_t i = 0; i < n; ++i) beyond[i] = points[i] + normals[i] * way(i);
+  solids_->distance(points, here);
+  solids_->distance(beyond, there);
+  for (std::size_t i = 0; i < n; ++i)
+    points[i] =
+        points[i] - normals[i] * (here[i] / std::clamp((there[i] - here[i]) / way(i), 0.1f, 1.0f));
+  solids_->owners(points, owners);
+  for (std::size_t i = 0; i < n; ++i) {
+    Surface& s = out[which[i]];
+    s = {};
+    s.position = s.smooth_position = points[i];
+    s.front = dot(normals[i], rays[which[i]].direction) < 0;
+    s.normal = s.shading_normal = s.front ? normals[i] : -normals[i];
+    s.object = owners[i].object, s.material = owners[i].material;
+    s.primitive = hits[which[i]].primitive;
+    if (!owners[i].blended) continue;
+    const sdf::SurfaceAt at = solids_->surface(points[i]);
     for (const auto& part : at.parts) s.blend.push_back({part.material, part.weight});
     if (!at.parts.empty()) s.material = at.parts.front().material;
   }
-  s.primitive = hit.primitive;
-  return s;
 }
 
 bool World::is_inside(const Vec3& p) const { return solids_ && solids_->distance(p) < 0; }

@@ -84,7 +84,12 @@ void shade_smoothly(Surface& s, const Corner* corners, const float* weights) {
 
 Surface World::surface(const Ray& ray, const Hit& hit) const {
   const std::size_t meshes = scene_.instances.size();
-  if (hit.primitive.instance >= meshes + scene_.spheres.size()) return solid_surface(ray, hit);
+  if (is_solid(hit)) {
+    Surface solid;
+    const std::uint32_t first = 0;
+    solid_surfaces({&ray, 1}, {&hit, 1}, {&first, 1}, {&solid, 1});
+    return solid;
+  }
   if (hit.primitive.instance >= meshes)
     return sphere_surface(scene_, ray, hit, hit.primitive.instance - meshes);
   const Instance& instance = scene_.instances[hit.primitive.instance];
@@ -114,6 +119,19 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
   s.object = instance.object;
   s.primitive = hit.primitive;
   return s;
+}
+
+void World::surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
+                     std::span<Surface> out) const {
+  thread_local std::vector<std::uint32_t> solid;
+  solid.clear();
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (is_solid(hits[i]))
+      solid.push_back(static_cast<std::uint32_t>(i));
+    else
+      out[i] = surface(rays[i], hits[i]);
+  }
+  if (!solid.empty()) solid_surfaces(rays, hits, solid, out);
 }
 
 }  // namespace penumbra

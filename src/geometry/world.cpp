@@ -1,5 +1,7 @@
 #include "geometry/world.h"
 
+#include <algorithm>
+
 #include "geometry/cone_tree.h"
 #include "geometry/embree_scene.h"
 #include "sdf/field.h"
@@ -68,7 +70,11 @@ std::optional<Hit> World::intersect(const Ray& ray) const {
 }
 
 void World::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
-  embree_->intersect(rays, hits);
+  const bool only_solids = solids_ && scene_.instances.empty() && scene_.spheres.empty();
+  if (only_solids) std::fill_n(hits, rays.size(), std::nullopt);
+  for (std::size_t first = 0; first < rays.size() && !only_solids; first += 8)
+    embree_->intersect(rays.subspan(first, std::min<std::size_t>(8, rays.size() - first)),
+                       hits + first);
   if (solids_) march(rays, hits);
 }
 

@@ -71,9 +71,11 @@ class World {
   /// The nearest hit with 0 < t < ray.t_max; alpha-masked holes are passed through. Distance fields
   /// are marched to the precision of triangles.
   std::optional<Hit> intersect(const Ray& ray) const;
-  /// The same for 1 to 8 rays at once, which pays where they go much the same way.
+  /// The same for many rays at once, which pays where they go much the same way.
   void intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   Surface surface(const Ray& ray, const Hit& hit) const;
+  /// The same for many, which pays on distance fields. Three spans of one size.
+  void surfaces(std::span<const Ray> rays, std::span<const Hit> hits, std::span<Surface> out) const;
 
   /// Whether anything but instance `excluded` (−1: nothing is excluded) blocks the ray.
   bool occluded(const ShadowRay& ray, int excluded = -1) const;
@@ -104,7 +106,12 @@ class World {
  private:
   /// What distance fields add to the hits known so far.
   void march(std::span<const Ray> rays, std::optional<Hit>* hits) const;
-  Surface solid_surface(const Ray& ray, const Hit& hit) const;
+  bool is_solid(const Hit& hit) const {
+    return hit.primitive.instance >= scene_.instances.size() + scene_.spheres.size();
+  }
+  /// Fills in those of `which`.
+  void solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
+                      std::span<const std::uint32_t> which, std::span<Surface> out) const;
 
   const Scene& scene_;
   Bounds bounds_;

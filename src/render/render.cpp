@@ -103,7 +103,9 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
     result.warnings.emplace_back("the camera is inside a distance field: nothing is to be seen");
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
-  const Brightness bright = find_brightness(world, coarse, lights, materials);
+  const bool is_given = options.exposure_ev && !scene.ambient_is_automatic;
+  const Brightness bright = is_given ? Brightness{*options.exposure_ev, scene.ambient}
+                                     : find_brightness(world, coarse, lights, materials);
   result.stats.exposure_ev = options.exposure_ev.value_or(bright.exposure_ev);
   result.stats.seconds_build = seconds_since(build_start);
   const auto render_start = Clock::now();

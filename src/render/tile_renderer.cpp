@@ -17,15 +17,16 @@ constexpr int half_of_code(unsigned code) {
 }
 static_assert(Tile::size == 32 && half_of_code(0x3ff) == 31);
 
-/// Sample `sample` of every pixel of the tile, in Morton's order so that neighbours stay together.
-/// Pixels are numbered over the whole picture, so that tiles leave no trace.
-void primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
-                  std::vector<TileRay>& rays) {
+/// Sample `sample` of pixels of the tile, those of [first, first + count) in Morton's order so that
+/// neighbours stay together. Pixels are numbered over the whole picture, so that tiles leave no
+/// trace.
+void primary_rays(const RenderSetup& setup, const Tile& tile, int sample, unsigned first,
+                  unsigned count, std::vector<TileRay>& rays) {
   const RenderOptions& o = setup.options;
   const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
   const Vec2 at = pixel_sample(sample, o.spp);
   rays.clear();
-  for (unsigned code = 0; code < Tile::size * Tile::size; ++code) {
+  for (unsigned code = first; code < first + count; ++code) {
     const int x = tile.x0 + half_of_code(code), y = tile.y0 + half_of_code(code >> 1);
     if (x >= tile.x1 || y >= tile.y1) continue;
     const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
@@ -127,19 +128,33 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
 
 void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
            std::vector<TilePoint>& points) {
+  // Embree takes eight at a time; marches fill their lanes again from all that there are, and 256
+  // stay near the processor.
+  const std::size_t at_once = world.has_solids() ? 256 : 8;
+  thread_local std::vector<Ray> asked;
+  thread_local std::vector<std::optional<Hit>> hits;
+  thread_local std::vector<Hit> met;
+  thread_local std::vector<std::uint32_t> which;
+  thread_local std::vector<Surface> surfaces;
   points.resize(rays.size());
+  asked.resize(at_once), hits.resize(at_once);
   std::size_t count = 0;
-  constexpr std::size_t packet_size = 8;
-  Ray packet[packet_size];
-  std::optional<Hit> hits[packet_size];
-  for (std::size_t first = 0; first < rays.size(); first += packet_size) {
-    const auto some = rays.subspan(first, std::min(packet_size, rays.size() - first));
-    for (std::size_t i = 0; i < some.size(); ++i) packet[i] = some[i].beam.ray;
-    world.intersect({packet, some.size()}, hits);
-    for (std::size_t i = 0; i < some.size(); ++i)
-      if (hits[i])
-        set_point(points[count++], some[i], *hits[i], world.surface(packet[i], *hits[i]),
-                  materials);
+  for (std::size_t first = 0; first < rays.size(); first += at_once) {
+    const auto some = rays.subspan(first, std::min(at_once, rays.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) asked[i] = some[i].beam.ray;
+    world.intersect({asked.data(), some.size()}, hits.data());
+    met.clear(), which.clear();
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      if (!hits[i]) continue;
+      asked[met.size()] = asked[i];
+      met.push_back(*hits[i]);
+      which.push_back(static_cast<std::uint32_t>(i));
+    }
+    surfaces.resize(std::max(surfaces.size(), met.size()));
+    const std::span found(surfaces.data(), met.size());
+    world.surfaces({asked.data(), met.size()}, met, found);
+    for (std::size_t i = 0; i < met.size(); ++i)
+      set_point(points[count++], some[which[i]], met[i], found[i], materials);
   }
   points.resize(count);
 }
@@ -150,8 +165,12 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
   TileCounts counts;
   TileAovs aovs(setup, tile, scratch.squared_errors, result);
   PixelSums sums(tile, o.spp, result.color);
-  for (int sample = 0; sample < o.spp; ++sample) {
-    primary_rays(setup, tile, sample, scratch.rays);
+  constexpr unsigned all = Tile::size * Tile::size;
+  // Marches share nothing: a quarter of the tile's points at a time stay near the processor.
+  const unsigned at_once = setup.shadows.marches_field() ? all / 4 : all;
+  for (unsigned part = 0; part < static_cast<unsigned>(o.spp) * (all / at_once); ++part) {
+    const auto sample = static_cast<int>(part / (all / at_once));
+    primary_rays(setup, tile, sample, part % (all / at_once) * at_once, at_once, scratch.rays);
     counts.primary_rays += scratch.rays.size();
     for (int depth = 0;; ++depth) {
       trace(setup.world, setup.materials, scratch.rays, scratch.points);

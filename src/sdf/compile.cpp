@@ -25,6 +25,7 @@ class SceneWriter {
     }
     Tape& tape = out_.tape;
     tape.pool.shrink_to_fit(), tape.code.shrink_to_fit(), tape.info.shrink_to_fit();
+    tape.runs = find_runs(tape);
     return std::move(tape);
   }
 

@@ -64,17 +64,19 @@ Regions regions_for(const FieldData& data, const Scene& scene, const FieldOption
                        limits);
 }
 
-struct Columns {
-  explicit Columns(std::size_t count) : x(count), y(count), z(count) {}
-  void set(std::size_t i, const Vec3& p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
-  std::vector<float> x, y, z;
-};
+Points& columns_of(std::span<const Vec3> points) {
+  thread_local Points columns;
+  columns.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) columns.set(i, points[i]);
+  return columns;
+}
 
 }  // namespace
 
 Field::Field(const Scene& scene, const FieldOptions& options)
     : data_(std::make_unique<FieldData>()) {
   data_->tape = compile(scene, {options.only_distance_fields, options.mesh_distance});
+  if (!options.prune) data_->tape.runs.clear();
   data_->bounds = bounds_in(scene, options, data_->is_bounded);
   data_->regions = regions_for(*data_, scene, options);
 }
@@ -96,35 +98,28 @@ void Field::distance(std::span<const Vec3> points, std::span<float> out) const {
     std::ranges::fill(out, std::numeric_limits<float>::infinity());
     return;
   }
-  Columns c(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) c.set(i, points[i]);
+  const Points& c = columns_of(points);
   distances(*data_, c.x.data(), c.y.data(), c.z.data(), points.size(), out.data());
 }
 
-// Quilez, "normals for an SDF": four points of a tetrahedron.
 void Field::normal(std::span<const Vec3> points, std::span<Vec3> out, float step) const {
-  constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
-  Columns c(4 * points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 size = abs(points[i]);
-    const float e = step > 0 ? step : 1e-3f * std::max(max_component(size), 1e-3f);
-    for (std::size_t k = 0; k < 4; ++k)
-      c.set(4 * i + k, points[i] + Vec3(signs[k][0], signs[k][1], signs[k][2]) * e);
-  }
-  std::vector<float> d(4 * points.size());
-  distances(*data_, c.x.data(), c.y.data(), c.z.data(), d.size(), d.data());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Vec3d sum;
-    for (std::size_t k = 0; k < 4; ++k)
-      sum += Vec3d(signs[k][0], signs[k][1], signs[k][2]) * double{d[4 * i + k]};
-    const double l = length(sum);
-    out[i] = l > 0 ? Vec3(sum / l) : Vec3{0, 1, 0};
-  }
+  const Points& c = columns_of(points);
+  thread_local std::vector<float> steps;
+  thread_local Points found;
+  steps.resize(points.size()), found.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    steps[i] = step > 0 ? step : 1e-3f * std::max(max_component(abs(points[i])), 1e-3f);
+  normals(*data_, c, steps.data(), points.size(), found);
+  for (std::size_t i = 0; i < points.size(); ++i) out[i] = found[i];
 }
 
 void Field::owners(std::span<const Vec3> points, std::span<Owner> out) const {
-  Columns c(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) c.set(i, points[i]);
+  // Blends of one surface with itself are it.
+  if (const auto& all = data_->tape.surfaces; all.size() == 1) {
+    std::ranges::fill(out, Owner{all[0].object, all[0].material, false});
+    return;
+  }
+  const Points& c = columns_of(points);
   for (std::size_t i = 0; i < points.size(); i += 16) {
     const std::size_t n = std::min<std::size_t>(16, points.size() - i);
     std::uint32_t surface[16];

@@ -277,10 +277,10 @@ HWY_NOINLINE void act(const Tape& tape, Machine& machine, Word w, Op op, const f
   }
 }
 
+/// Goes on from `acc` and `p`.
 template <class Machine, class Acc = typename Machine::Acc>
-HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::size_t count, P p,
-                   const Slots<Acc>& slots) {
-  Acc acc{};
+HWY_INLINE void run(const Tape& tape, Machine& machine, const Word* code, std::size_t count,
+                    const Slots<Acc>& slots, P& p, Acc& acc) {
   const float* const pool = tape.pool.data();
   for (std::size_t i = 0; i < count; ++i) {
     const Word w = code[i];
@@ -309,6 +309,13 @@ HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::si
       act(tape, machine, w, op, record, p, acc, slots);
     }
   }
+}
+
+template <class Machine, class Acc = typename Machine::Acc>
+HWY_INLINE Acc run(const Tape& tape, Machine& machine, const Word* code, std::size_t count, P p,
+                   const Slots<Acc>& slots) {
+  Acc acc{};
+  run(tape, machine, code, count, slots, p, acc);
   return acc;
 }
 

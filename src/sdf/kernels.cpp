@@ -34,6 +34,36 @@ void distances_of(const FieldData& field, const float* x, const float* y, const 
   }
 }
 
+// Quilez, "normals for an SDF": four points of a tetrahedron.
+void normals_of(const FieldData& field, const Points& points, const float* step, std::size_t count,
+                Points& out) {
+  constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
+  Sampler sampler(field);
+  for (std::size_t i = 0; i < count; i += lanes) {
+    const std::size_t n = std::min<std::size_t>(lanes, count - i);
+    const P p = points_at(&points.x[i], &points.y[i], &points.z[i], n);
+    HWY_ALIGN float steps[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) steps[l] = step[i + std::min(l, n - 1)];
+    const F e = load(steps);
+    F d[4], most = 1e30f;
+    for (int k = 0; k < 4; ++k) {
+      const P q{mad(e, signs[k][0], p.x), mad(e, signs[k][1], p.y), mad(e, signs[k][2], p.z)};
+      d[k] = sampler.distance(q, all_lanes, most);
+      most = most_after(field, d[k], e * 2.83f, q);
+    }
+    const F x = (d[0] - d[1]) + (d[3] - d[2]), y = (d[2] - d[0]) + (d[3] - d[1]),
+            z = (d[1] - d[0]) + (d[3] - d[2]);
+    const F size = length(x, y, z);
+    const M known = size > F(0.0f);
+    HWY_ALIGN float normal[3][lanes];
+    store(select(known, x / size, 0.0f), normal[0]);
+    store(select(known, y / size, 1.0f), normal[1]);
+    store(select(known, z / size, 0.0f), normal[2]);
+    std::copy_n(normal[0], n, &out.x[i]), std::copy_n(normal[1], n, &out.y[i]);
+    std::copy_n(normal[2], n, &out.z[i]);
+  }
+}
+
 void ranges_of(const Tape& tape, const Word* code, std::size_t count, const Cells& cells,
                Ranges* out) {
   const P p{load(cells.x), load(cells.y), load(cells.z)};
@@ -78,6 +108,8 @@ void shadow_of(const FieldData& field, ShadowMarch kind, std::span<const ShadowR
       return shadow_rays<ShadowMarch::inner>(field, rays, out, options);
     case ShadowMarch::blog:
       return shadow_rays<ShadowMarch::blog>(field, rays, out, options);
+    case ShadowMarch::hard:
+      return shadow_rays<ShadowMarch::hard>(field, rays, out, options);
     case ShadowMarch::inner_abs:
       return shadow_rays<ShadowMarch::inner_abs>(field, rays, out, options);
   }
@@ -126,6 +158,7 @@ HWY_AFTER_NAMESPACE();
 namespace penumbra::sdf {
 
 HWY_EXPORT(distances_of);
+HWY_EXPORT(normals_of);
 HWY_EXPORT(ranges_of);
 HWY_EXPORT(owners_of);
 HWY_EXPORT(trace_rays);
@@ -136,6 +169,10 @@ HWY_EXPORT(clear_ways_of);
 void distances(const FieldData& field, const float* x, const float* y, const float* z,
                std::size_t count, float* out) {
   HWY_DYNAMIC_DISPATCH(distances_of)(field, x, y, z, count, out);
+}
+void normals(const FieldData& field, const Points& points, const float* step, std::size_t count,
+             Points& out) {
+  HWY_DYNAMIC_DISPATCH(normals_of)(field, points, step, count, out);
 }
 void owners(const FieldData& field, const float* x, const float* y, const float* z,
             std::size_t count, std::uint32_t* surface, std::uint8_t* blended) {

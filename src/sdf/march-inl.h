@@ -242,6 +242,7 @@ class Shadow : public ShadowState {
   using ShadowState::ShadowState;
 
   HWY_INLINE std::uint32_t step(Way& way, const F& h) {
+    if constexpr (Kind == ShadowMarch::hard) return hard(way, h);
     if constexpr (Kind == ShadowMarch::classic) return classic(way, h);
     if constexpr (Kind == ShadowMarch::improved) return improved(way, h);
     if constexpr (Kind == ShadowMarch::blog) return blog(way, h);
@@ -259,6 +260,12 @@ class Shadow : public ShadowState {
   }
 
  private:
+  HWY_INLINE std::uint32_t hard(Way& way, const F& h) {
+    const M dark = h < F(options_.hit);
+    res = select(dark, 0.0f, res);
+    way.t = way.t + h;
+    return bits(dark | (way.t >= way.t_max));
+  }
   // Lanes without light, w = 0, keep res: h / 0 is infinite.
   HWY_INLINE std::uint32_t classic(Way& way, const F& h) {
     const M dark = h < F(options_.hit);

@@ -42,7 +42,7 @@ void occluded(const Field& field, std::span<const MarchRay> rays, std::span<Marc
 void clear_ways(const Field& field, std::span<const MarchRay> axes, float slope,
                 std::span<float> out);
 
-enum class ShadowMarch : std::uint8_t { classic, improved, inner, blog, inner_abs };
+enum class ShadowMarch : std::uint8_t { classic, improved, inner, blog, inner_abs, hard };
 
 struct ShadowRay {
   Vec3 origin;  ///< the shaded point
@@ -60,7 +60,7 @@ struct ShadowResult {
 
 struct ShadowOptions {
   int steps = 256;     ///< 1 … 65535
-  float hit = 0.001f;  ///< classic, improved; the blog's is blog_hit
+  float hit = 0.001f;  ///< hard, classic, improved; the blog's is blog_hit
   float blog_hit = 0.0001f;
   float least_step = 0.005f, most_step = 0.5f;  ///< inner
 };

@@ -16,17 +16,21 @@ constexpr std::size_t short_enough = 8;  ///< words: a cell with no more is not 
 /// Bytes for each word of the whole code: small fields are not worth long preparation.
 constexpr std::size_t bytes_per_word = 20000;
 constexpr int most_levels = 2;  ///< of bricks
+/// Words: where there are runs, the whole code leaves out more than such a code does.
+constexpr std::size_t long_code = 64;
 
 /// Codes found so far, each once.
 class CodeStore {
  public:
-  CodeStore(Regions& regions, const std::vector<Word>& whole) : regions_(regions) {
+  CodeStore(Regions& regions, const Tape& tape) : regions_(regions) {
     std::size_t unused = 0;
-    add(whole, unused);
+    add(tape.code, unused);
+    has_runs_ = !tape.runs.empty();
   }
 
   /// `used` grows by the bytes that the code takes if it is new.
   std::uint32_t add(const std::vector<Word>& code, std::size_t& used) {
+    if (has_runs_ && code.size() > long_code) return 0;
     std::size_t hash = code.size();
     for (const Word w : code) hash = (hash ^ w) * 0x9e3779b97f4a7c15ull, hash ^= hash >> 29;
     const std::lock_guard lock(mutex_);
@@ -55,6 +59,7 @@ class CodeStore {
 
  private:
   Regions& regions_;
+  bool has_runs_ = false;
   std::mutex mutex_;
   std::unordered_map<std::size_t, std::vector<std::uint32_t>> by_hash_;
 };
@@ -232,7 +237,7 @@ std::uint32_t cell_count(const RegionGrid& grid) {
 Regions build_regions(const Tape& tape, const Bounds& inner, const Bounds& outer,
                       const RegionLimits& limits) {
   Regions regions;
-  CodeStore store(regions, tape.code);
+  CodeStore store(regions, tape);
   regions.cells = {0};
   if (!limits.enabled || tape.code.size() <= 1) return regions;
   const double cells = std::clamp(100.0 * static_cast<double>(tape.code.size()), 2e3, 6e4);

@@ -12,6 +12,7 @@
 
 #include "sdf/field_data.h"
 #include "sdf/interpret-inl.h"
+#include "sdf/runs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::sdf::HWY_NAMESPACE {
@@ -33,7 +34,10 @@ Slots<A> slots_for(const Tape& tape) {
 class Sampler {
  public:
   explicit Sampler(const FieldData& field)
-      : field_(field), regions_(field.regions), slots_(slots_for<F>(field.tape)) {}
+      : field_(field),
+        regions_(field.regions),
+        slots_(slots_for<F>(field.tape)),
+        skips_(field.tape.has_groups || !field.tape.runs.empty()) {}
 
   /// Lanes that are not active give anything. One copy of the machine for all callers.
   /// most: what f cannot be above at the points, from a value nearby and the way from there (slopes
@@ -41,12 +45,15 @@ class Sampler {
   HWY_NOINLINE F distance(const P& p, std::uint32_t active, const F& most) {
     Groups groups;
     find(p, active, groups);
-    if (HWY_UNLIKELY(field_.tape.has_groups && groups.count > 1)) prefer_whole(groups);
+    if (HWY_UNLIKELY(skips_ && groups.count > 1)) prefer_whole(groups);
     F result;
     for (int i = 0;;) {
       const Regions::Code& c = regions_.codes[groups.code[i]];
       ValueMachine machine(most);
-      const F d = run(field_.tape, machine, regions_.words.data() + c.begin, c.count, p, slots_);
+      const bool whole = groups.code[i] == 0 && !field_.tape.runs.empty();
+      const F d = HWY_UNLIKELY(whole) ? whole_value(p, active, machine)
+                                      : run(field_.tape, machine, regions_.words.data() + c.begin,
+                                            c.count, p, slots_);
       result = i == 0 ? d : select(mask_of(groups.members[i]), d, result);
       if (HWY_LIKELY(++i == groups.count)) return result;
     }
@@ -79,8 +86,23 @@ class Sampler {
   }
 
  private:
-  /// Words that several cells' codes may have together before the whole code with its guards, once
-  /// for all lanes, is cheaper.
+  // The whole code, whose runs leave out what is far.
+  HWY_NOINLINE F whole_value(P p, std::uint32_t active, ValueMachine& machine) {
+    const Tape& tape = field_.tape;
+    const Word* code = regions_.words.data() + regions_.codes[0].begin;
+    F acc{};
+    std::size_t at = 0;
+    for (const Run& r : tape.runs) {
+      run(tape, machine, code + at, r.begin - at, slots_, p, acc);
+      acc = RunWalker(tape, r).join(p, acc, active);
+      at = std::size_t{r.begin} + r.count;
+    }
+    run(tape, machine, code + at, regions_.codes[0].count - at, slots_, p, acc);
+    return acc;
+  }
+
+  /// Words that several cells' codes may have together before the whole code with its guards and
+  /// runs, once for all lanes, is cheaper.
   static constexpr std::uint32_t many_words = 40;
 
   HWY_INLINE void prefer_whole(Groups& groups) const {
@@ -143,6 +165,7 @@ class Sampler {
   const FieldData& field_;
   const Regions& regions_;
   Slots<F> slots_;
+  bool skips_;
 };
 
 }  // namespace penumbra::sdf::HWY_NAMESPACE

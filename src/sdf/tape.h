@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "sdf/runs.h"
 
 namespace penumbra::sdf {
 
@@ -118,6 +119,7 @@ struct Tape {
   std::vector<Surface> surfaces;
   std::vector<std::shared_ptr<const MeshDistance>> meshes;
   bool has_groups = false;  ///< there are guards
+  std::vector<Run> runs;    ///< of the whole code
   std::uint32_t value_slots = 0, point_slots = 0;
   std::vector<std::string> warnings;
 
@@ -125,8 +127,11 @@ struct Tape {
   const Header& header(Word w) const { return *reinterpret_cast<const Header*>(record(w)); }
   std::uint32_t place(Word w) const { return place_of_unit[w & offset_mask]; }
   std::size_t memory_bytes() const {
-    return pool.capacity() * 4 + code.capacity() * 4 + info.capacity() * sizeof(WordInfo) +
-           place_of_unit.capacity() * 4 + surfaces.capacity() * sizeof(Surface);
+    std::size_t bytes = pool.capacity() * 4 + code.capacity() * 4 +
+                        info.capacity() * sizeof(WordInfo) + place_of_unit.capacity() * 4 +
+                        surfaces.capacity() * sizeof(Surface);
+    for (const Run& run : runs) bytes += run.memory_bytes();
+    return bytes;
   }
 };
 

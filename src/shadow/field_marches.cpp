@@ -10,6 +10,8 @@ namespace {
 
 sdf::ShadowMarch march_of(const ShadowOptions& options) {
   switch (options.kind) {
+    case ShadowKind::hard:
+      return sdf::ShadowMarch::hard;
     case ShadowKind::sdf_classic:
       return options.variant == SdfVariant::blog ? sdf::ShadowMarch::blog
                                                  : sdf::ShadowMarch::classic;

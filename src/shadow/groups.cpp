@@ -13,12 +13,12 @@ void Shadows::visibilities(std::span<const Receiver> receivers, std::size_t ligh
                            std::span<const std::uint64_t> streams, std::span<Visibility> out,
                            ShadowCounts& counts) const {
   const bool grouped = options_.kind == ShadowKind::parker && options_.composite == Composite::min;
-  if (options_.kind == ShadowKind::hard) {
+  if (marches_field()) {
+    field_marches(receivers, light, out, counts);
+  } else if (options_.kind == ShadowKind::hard) {
     hard_packets(receivers, light, out, counts);
   } else if (grouped) {
     parker_group(receivers, light, out, counts);
-  } else if (marches_field()) {
-    field_marches(receivers, light, out, counts);
   } else {
     for (std::size_t i = 0; i < receivers.size(); ++i)
       out[i] = visibility(receivers[i], light, streams[i], counts);

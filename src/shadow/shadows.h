@@ -23,8 +23,9 @@ enum class ShadowKind : std::uint8_t {
   sdf_improved,
   sdf_inner
 };
-/// Of the published marches: blog is a variant of sdf_classic, abs of sdf_inner.
-enum class SdfVariant : std::uint8_t { published, blog, abs };
+/// Of the published marches: blog is a variant of sdf_classic, abs of sdf_inner; march, of hard, is
+/// the plain march that they begin from.
+enum class SdfVariant : std::uint8_t { published, blog, abs, march };
 enum class Profile : std::uint8_t { cubic, sine, linear };
 enum class Composite : std::uint8_t { min, multiply, add };
 
@@ -40,8 +41,13 @@ struct ShadowOptions {
   float mint = 0.01f;       ///< sdf_*: where the march begins, metres
   int steps = 256;          ///< sdf_*: at most
   std::optional<float> k;   ///< sdf_*: 1/w instead of the light's size
-  SdfVariant variant = SdfVariant::published;  ///< sdf_classic and sdf_inner
+  SdfVariant variant = SdfVariant::published;  ///< sdf_classic, sdf_inner and hard
   std::uint32_t seed = 0;
+
+  /// True for the methods that march a distance field from mint on.
+  bool marches_field() const {
+    return kind >= ShadowKind::sdf_classic || variant == SdfVariant::march;
+  }
 };
 
 /// A point to be lit. `normal` bounds what can occlude: nothing on or below the plane through
@@ -99,7 +105,7 @@ class Shadows {
   const World& world() const { return world_; }
   const LightViews& lights() const { return lights_; }
   /// True for the methods that march a distance field; the world must have one.
-  bool marches_field() const { return options_.kind >= ShadowKind::sdf_classic; }
+  bool marches_field() const { return options_.marches_field(); }
   /// True for area: radiance is summed over light_points() with the cosines inside; false: the
   /// unshadowed light is multiplied by the visible fraction.
   bool sums_light_points() const { return options_.kind == ShadowKind::area; }

@@ -74,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
                "--variant: blog is a variant of sdf-classic; add --shadows sdf-classic"},
         Misuse{{"--shadows", "sdf-classic", "--variant", "abs"},
                "--variant: abs is a variant of sdf-inner; add --shadows sdf-inner"},
+        Misuse{{"--shadows", "sdf-classic", "--variant", "march"},
+               "--variant: march is a variant of hard; add --shadows hard"},
         Misuse{
             {"--profile", "qubic"},
             "--profile: 'qubic' is unknown; did you mean cubic? There are cubic, sine or linear"},

@@ -40,6 +40,19 @@ TEST_F(Published, MarchesEqualTheirFormulas) {
   }
 }
 
+TEST_F(Published, ThePlainMarchIsDarkWhereClassicIs) {
+  const testing::Oracle oracle("bridge");
+  std::vector<ProbeQuery> queries;
+  for (const auto& p : oracle.points) queries.push_back({p.receiver, p.light});
+  Progress silent;
+  RenderOptions options;
+  options.shadows.kind = ShadowKind::sdf_classic;
+  const auto classic = probe_gl(oracle.scene, options, queries, silent).fractions;
+  options.shadows.kind = ShadowKind::hard, options.shadows.variant = SdfVariant::march;
+  const auto plain = probe_gl(oracle.scene, options, queries, silent).fractions;
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(plain[i], classic[i] > 0 ? 1.0f : 0.0f);
+}
+
 TEST_F(Published, KStandsForTheLightsSize) {
   const testing::Oracle oracle("bridge");
   ShadowOptions shadows;

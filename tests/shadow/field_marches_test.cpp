@@ -40,6 +40,24 @@ TEST_P(FieldMarches, EqualTheirFormulas) {
   }
 }
 
+TEST_P(FieldMarches, ThePlainMarchIsDarkWhereClassicIs) {
+  const Oracle oracle(GetParam());
+  const World world(oracle.scene, {.cone_tree = false, .field = true});
+  ShadowOptions options;
+  options.kind = ShadowKind::sdf_classic;
+  const Shadows classic(world, options);
+  options.kind = ShadowKind::hard, options.variant = SdfVariant::march;
+  const Shadows plain(world, options);
+  ShadowCounts counts;
+  int dark = 0;
+  for (const OraclePoint& p : oracle.points) {
+    const float soft = classic.visibility(p.receiver, p.light, 0, counts).fraction;
+    EXPECT_EQ(plain.visibility(p.receiver, p.light, 0, counts).fraction, soft > 0 ? 1.0f : 0.0f);
+    dark += soft == 0;
+  }
+  EXPECT_GT(dark, 0);
+}
+
 TEST_P(FieldMarches, KStandsForTheLightsSize) {
   const Oracle oracle(GetParam());
   const World world(oracle.scene, {.cone_tree = false, .field = true});
