@@ -38,6 +38,20 @@ sdf::MarchRay march_ray(const sdf::Field& field, const Vec3& origin, const Vec3&
   return {origin, 0, direction, std::min(t_max, far)};
 }
 
+// Of the side that the ray met. Differences near an edge reach round it, to a side that faces away;
+// a little before the surface, by four times their width, they do not.
+Vec3 normal_met(const sdf::Field& field, const Vec3& p, const Vec3& direction) {
+  const auto normal_at = [&](const Vec3& q) {
+    Vec3 n;
+    field.normal(std::span(&q, 1), std::span(&n, 1));
+    return n;
+  };
+  const Vec3 there = normal_at(p);
+  if (dot(there, direction) < 0) return there;
+  const Vec3 before = normal_at(p - direction * (4 * sdf::Field::normal_step(p)));
+  return dot(before, direction) < 0 ? before : there;
+}
+
 // Longer than any ray needs that is not lost in a crevice.
 constexpr int most_steps = 65535;
 
@@ -65,8 +79,7 @@ void World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
 Surface World::solid_surface(const Ray& ray, const Hit& hit) const {
   Surface s;
   s.position = ray.origin + ray.direction * hit.t;
-  Vec3 normal;
-  solids_->normal(std::span(&s.position, 1), std::span(&normal, 1));
+  const Vec3 normal = normal_met(*solids_, s.position, ray.direction);
   // Back onto the surface: the ray's t carries the error of its whole length. Where fields blend or
   // are divided by their slope they grow slower than the way. 64 errors make a difference that
   // rounding does not spoil.

@@ -101,13 +101,14 @@ void Field::distance(std::span<const Vec3> points, std::span<float> out) const {
   distances(*data_, c.x.data(), c.y.data(), c.z.data(), points.size(), out.data());
 }
 
+float Field::normal_step(const Vec3& p) { return 1e-3f * std::max(max_component(abs(p)), 1e-3f); }
+
 // Quilez, "normals for an SDF": four points of a tetrahedron.
 void Field::normal(std::span<const Vec3> points, std::span<Vec3> out, float step) const {
   constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
   Columns c(4 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 size = abs(points[i]);
-    const float e = step > 0 ? step : 1e-3f * std::max(max_component(size), 1e-3f);
+    const float e = step > 0 ? step : normal_step(points[i]);
     for (std::size_t k = 0; k < 4; ++k)
       c.set(4 * i + k, points[i] + Vec3(signs[k][0], signs[k][1], signs[k][2]) * e);
   }
