@@ -81,13 +81,15 @@ Surface World::solid_surface(const Ray& ray, const Hit& hit) const {
   s.position = ray.origin + ray.direction * hit.t;
   const Vec3 normal = normal_met(*solids_, s.position, ray.direction);
   // Back onto the surface: the ray's t carries the error of its whole length. Where fields blend or
-  // are divided by their slope they grow slower than the way. 64 errors make a difference that
-  // rounding does not spoil.
+  // are divided by their slope they grow slower than the way, inside perhaps slower than outside
+  // (an ellipsoid's bound), so the slope is taken on the point's own side. 64 errors make a
+  // difference that rounding does not spoil.
   const float way = 64 * epsilon_at(s.position);
-  const Vec3 points[] = {s.position, s.position + normal * way};
-  float f[2];
+  const Vec3 points[] = {s.position, s.position + normal * way, s.position - normal * way};
+  float f[3];
   solids_->distance(points, f);
-  s.position = s.position - normal * (f[0] / std::clamp((f[1] - f[0]) / way, 0.1f, 1.0f));
+  const float rise = f[0] < 0 ? f[0] - f[2] : f[1] - f[0];
+  s.position = s.position - normal * (f[0] / std::clamp(rise / way, 0.1f, 1.0f));
   s.front = dot(normal, ray.direction) < 0;
   s.normal = s.front ? normal : -normal;
   s.shading_normal = s.normal;
