@@ -15,7 +15,7 @@ enum class Command { render, probe, info, make_new, export_shader };
 
 enum class Device { automatic, cpu, gl };
 
-/// One `--aov NAME=FILE.exr`.
+/// One `--aov NAME=FILE.exr`; steps may be a heat map, FILE.png.
 struct AovRequest {
   std::string name;  ///< visibility, depth, normal, error or steps
   std::string file;

@@ -66,7 +66,8 @@ AovRequest read_aov(const std::string& text) {
                      "write it as --aov depth=depth.exr");
   AovRequest aov{text.substr(0, equals), text.substr(equals + 1)};
   parse_choice("--aov", aov.name, kAovs);
-  if (!aov.file.ends_with(".exr"))
+  const bool is_heat_map = aov.name == "steps" && aov.file.ends_with(".png");
+  if (!aov.file.ends_with(".exr") && !is_heat_map)
     throw InputError(fmt::format("--aov: {} does not end in .exr", aov.file),
                      fmt::format("write it as --aov {}={}.exr", aov.name, aov.name));
   return aov;
@@ -241,7 +242,9 @@ void add_picture_options(CLI::App& command, Arguments& a) {
         a.aovs.push_back(read_aov(t));
         want_aov(a.aovs.back().name, render);
       },
-      "also write visibility, depth, normal, error or steps; repeatable")
+      "also write visibility, depth, normal, error or steps; repeatable. steps=FILE.png is a heat\n"
+      "map: black 1 or none, indigo 4, teal 16, yellow 64, white 256 or more samples of the "
+      "marches")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
   add(

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/exr.h"
+#include "image/heat_map.h"
 #include "image/png.h"
 
 namespace penumbra::app {
@@ -97,6 +98,10 @@ void write_outputs(const Arguments& a, const Scene& scene, const RenderResult& r
   else
     write_layers(a.output, scene, result);
   for (const AovRequest& aov : a.aovs) {
+    if (has_extension(aov.file, ".png")) {
+      write_png(aov.file, heat_map(result.steps));
+      continue;
+    }
     std::vector<ExrLayer> layers;
     add_layers(aov.name, scene, result, layers);
     write_exr(aov.file, layers, attributes_of(result));

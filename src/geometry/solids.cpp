@@ -38,6 +38,20 @@ sdf::MarchRay march_ray(const sdf::Field& field, const Vec3& origin, const Vec3&
   return {origin, 0, direction, std::min(t_max, far)};
 }
 
+// Of the side that each ray met. Differences near an edge reach round it, to a side that faces away;
+// a little before the surface, by four times their width, they do not.
+void normals_met(const sdf::Field& field, std::span<const Vec3> points,
+                 std::span<const Vec3> directions, std::span<Vec3> normals) {
+  field.normal(points, normals);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (dot(normals[i], directions[i]) < 0) continue;
+    const Vec3 before = points[i] - directions[i] * (4 * sdf::Field::normal_step(points[i]));
+    Vec3 normal;
+    field.normal(std::span(&before, 1), std::span(&normal, 1));
+    if (dot(normal, directions[i]) < 0) normals[i] = normal;
+  }
+}
+
 // Longer than any ray needs that is not lost in a crevice.
 constexpr int most_steps = 65535;
 
@@ -104,26 +118,31 @@ void World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
 }
 
 // Points of a march go back onto the surface: the ray's t carries the error of its whole length.
-// Where fields blend or are divided by their slope they grow slower than the way. 64 errors make a
-// difference that rounding does not spoil.
+// Where fields blend or are divided by their slope they grow slower than the way, inside perhaps
+// slower than outside (an ellipsoid's bound), so the slope is taken on the point's own side. 64
+// errors make a difference that rounding does not spoil.
 void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
                            std::span<const std::uint32_t> which, std::span<Surface> out) const {
-  thread_local std::vector<Vec3> points, normals, beyond;
+  thread_local std::vector<Vec3> points, directions, normals, aside;
   thread_local std::vector<float> here, there;
   thread_local std::vector<sdf::Field::Owner> owners;
   const std::size_t n = which.size();
-  points.resize(n), normals.resize(n), beyond.resize(n);
+  points.resize(n), directions.resize(n), normals.resize(n), aside.resize(n);
   here.resize(n), there.resize(n), owners.resize(n);
   const auto way = [&](std::size_t i) { return 64 * epsilon_at(points[i]); };
-  for (std::size_t i = 0; i < n; ++i)
-    points[i] = rays[which[i]].origin + rays[which[i]].direction * hits[which[i]].t;
-  solids_->normal(points, normals);
-  for (std::size_t i = 0; i < n; ++i) beyond[i] = points[i] + normals[i] * way(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    directions[i] = rays[which[i]].direction;
+    points[i] = rays[which[i]].origin + directions[i] * hits[which[i]].t;
+  }
+  normals_met(*solids_, points, directions, normals);
   solids_->distance(points, here);
-  solids_->distance(beyond, there);
   for (std::size_t i = 0; i < n; ++i)
-    points[i] =
-        points[i] - normals[i] * (here[i] / std::clamp((there[i] - here[i]) / way(i), 0.1f, 1.0f));
+    aside[i] = points[i] + normals[i] * (here[i] < 0 ? -way(i) : way(i));
+  solids_->distance(aside, there);
+  for (std::size_t i = 0; i < n; ++i) {
+    const float rise = std::abs(there[i]) - std::abs(here[i]);
+    points[i] = points[i] - normals[i] * (here[i] / std::clamp(rise / way(i), 0.1f, 1.0f));
+  }
   solids_->owners(points, owners);
   for (std::size_t i = 0; i < n; ++i) {
     Surface& s = out[which[i]];

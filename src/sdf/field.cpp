@@ -102,13 +102,15 @@ void Field::distance(std::span<const Vec3> points, std::span<float> out) const {
   distances(*data_, c.x.data(), c.y.data(), c.z.data(), points.size(), out.data());
 }
 
+float Field::normal_step(const Vec3& p) { return 1e-3f * std::max(max_component(abs(p)), 1e-3f); }
+
 void Field::normal(std::span<const Vec3> points, std::span<Vec3> out, float step) const {
   const Points& c = columns_of(points);
   thread_local std::vector<float> steps;
   thread_local Points found;
   steps.resize(points.size()), found.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    steps[i] = step > 0 ? step : 1e-3f * std::max(max_component(abs(points[i])), 1e-3f);
+    steps[i] = step > 0 ? step : normal_step(points[i]);
   normals(*data_, c, steps.data(), points.size(), found);
   for (std::size_t i = 0; i < points.size(); ++i) out[i] = found[i];
 }

@@ -49,8 +49,10 @@ class Field {
   float distance(const Vec3& p) const;
   void distance(std::span<const Vec3> points, std::span<float> out) const;
   /// The unit normal at points on or near the surface: where f grows fastest. Differences over
-  /// `step` metres; 0 chooses some thousandth of the points' distance from the origin.
+  /// `step` metres; 0 chooses `normal_step`.
   void normal(std::span<const Vec3> points, std::span<Vec3> out, float step = 0) const;
+  /// A thousandth of the point's greatest coordinate: wide enough for rounding not to show.
+  static float normal_step(const Vec3& p);
   SurfaceAt surface(const Vec3& p) const;
   /// Per point the object and, where one material alone makes the surface, it; else `blended`.
   struct Owner {

@@ -101,7 +101,9 @@ INSTANTIATE_TEST_SUITE_P(
                "--aov: 'deep' is unknown; did you mean depth? There are "
                "visibility, depth, normal, error or steps"},
         Misuse{{"--aov", "depth=a.png"},
-               "--aov: a.png does not end in .exr; write it as --aov depth=depth.exr"}));
+               "--aov: a.png does not end in .exr; write it as --aov depth=depth.exr"},
+        Misuse{{"--aov", "steps=a.jpg"},
+               "--aov: a.jpg does not end in .exr; write it as --aov steps=steps.exr"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Lights, RenderMisuse,

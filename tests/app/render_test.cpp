@@ -1,10 +1,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/error.h"
 #include "image/exr.h"
+#include "image/heat_map.h"
 #include "image/png.h"
 #include "scene_fixture.h"
 
@@ -51,6 +53,18 @@ TEST_F(RenderTest, AovsAreWrittenBesideThePicture) {
   EXPECT_EQ(read_exr(folder / "d.exr").channels.count("depth.Z"), 1u);
   EXPECT_EQ(read_exr(folder / "v.exr").channels.count("visibility.0"), 1u);
   EXPECT_EQ(folder.count(), 4);
+}
+
+TEST_F(RenderTest, StepsAreAHeatMapToo) {
+  EXPECT_EQ(
+      render(folder / "a.png", {"--shadows", "sdf-inner", "--aov", "steps=" + folder / "s.exr",
+                                "--aov", "steps=" + folder / "s.png"})
+          .status,
+      0);
+  const Image counts = read_exr(folder / "s.exr").channels.at("steps.Y");
+  write_png(folder / "expected.png", heat_map(counts));
+  EXPECT_EQ(read_file(folder / "s.png"), read_file(folder / "expected.png"));
+  EXPECT_GT(*std::ranges::max_element(counts.data), 4);
 }
 
 TEST_F(RenderTest, SameBytesAtAnyThreadCount) {
