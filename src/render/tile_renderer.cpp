@@ -18,25 +18,34 @@ constexpr int half_of_code(unsigned code) {
 static_assert(Tile::size == 32 && half_of_code(0x3ff) == 31);
 
 /// Sample `sample` of every pixel of the tile, in Morton's order so that neighbours stay together.
-/// Pixels are numbered over the whole picture, so that tiles leave no trace.
-void primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
-                  std::vector<TileRay>& rays) {
+/// Pixels are numbered over the whole picture, so that tiles leave no trace. Rays that begin inside
+/// a distance field are left out: they see black. Returns how many those are.
+std::uint64_t primary_rays(const RenderSetup& setup, const Tile& tile, int sample,
+                           std::vector<TileRay>& rays) {
   const RenderOptions& o = setup.options;
   const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
   const Vec2 at = pixel_sample(sample, o.spp);
+  const bool one_eye = !setup.camera.orthographic();
+  bool is_blind = one_eye && setup.world.is_inside(setup.camera.origin());
+  std::uint64_t blind = 0;
   rays.clear();
   for (unsigned code = 0; code < Tile::size * Tile::size; ++code) {
     const int x = tile.x0 + half_of_code(code), y = tile.y0 + half_of_code(code >> 1);
     if (x >= tile.x1 || y >= tile.y1) continue;
     const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
                         static_cast<std::uint64_t>(x);
-    TileRay& ray = rays.emplace_back();
+    TileRay ray;
     ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
+    if (!one_eye) is_blind = setup.world.is_inside(ray.beam.ray.origin);
+    blind += is_blind;
+    if (is_blind) continue;
     ray.beam.width *= beam_share;
     ray.beam.spread *= beam_share;
     ray.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
     ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
+    rays.push_back(ray);
   }
+  return blind;
 }
 
 void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surface& surface,
@@ -125,23 +134,25 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
 
 }  // namespace
 
-void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
-           std::vector<TilePoint>& points) {
+std::uint64_t trace(const World& world, const MaterialLookup& materials,
+                    std::span<const TileRay> rays, std::vector<TilePoint>& points) {
   points.resize(rays.size());
   std::size_t count = 0;
+  std::uint64_t lost = 0;
   constexpr std::size_t packet_size = 8;
   Ray packet[packet_size];
   std::optional<Hit> hits[packet_size];
   for (std::size_t first = 0; first < rays.size(); first += packet_size) {
     const auto some = rays.subspan(first, std::min(packet_size, rays.size() - first));
     for (std::size_t i = 0; i < some.size(); ++i) packet[i] = some[i].beam.ray;
-    world.intersect({packet, some.size()}, hits);
+    lost += world.intersect({packet, some.size()}, hits);
     for (std::size_t i = 0; i < some.size(); ++i)
       if (hits[i])
         set_point(points[count++], some[i], *hits[i], world.surface(packet[i], *hits[i]),
                   materials);
   }
   points.resize(count);
+  return lost;
 }
 
 TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& scratch,
@@ -151,10 +162,10 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
   TileAovs aovs(setup, tile, scratch.squared_errors, result);
   PixelSums sums(tile, o.spp, result.color);
   for (int sample = 0; sample < o.spp; ++sample) {
-    primary_rays(setup, tile, sample, scratch.rays);
+    counts.blind_rays += primary_rays(setup, tile, sample, scratch.rays);
     counts.primary_rays += scratch.rays.size();
     for (int depth = 0;; ++depth) {
-      trace(setup.world, setup.materials, scratch.rays, scratch.points);
+      counts.unfinished_rays += trace(setup.world, setup.materials, scratch.rays, scratch.points);
       if (depth == 0) aovs.met(scratch.points);
       shade_generation(setup, tile.width(), depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr,
                        scratch, sums, counts.shadows);

@@ -73,7 +73,7 @@ void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t ligh
     RTCRay8 rays;
     alignas(32) std::array<int, 8> valid;
     make_centre_rays(receivers.subspan(first, count), centre, rays, valid.data());
-    world_.occluded(valid.data(), rays);
+    world_.occluded(valid.data(), rays, -1, &counts.unfinished_rays);
     for (std::size_t i = 0; i < count; ++i) {
       counts.rays += valid[i] != 0;
       out[first + i] = {valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0f : 0.0f, 0};

@@ -81,6 +81,7 @@ struct ShadowCounts {
   std::uint64_t marches = 0;             ///< through the distance field
   std::uint64_t march_steps = 0;         ///< of these
   std::uint64_t unfinished_marches = 0;  ///< that ran out of steps: the fraction is what they found
+  std::uint64_t unfinished_rays = 0;     ///< that ran out of steps: they count as blocked
   ShadowCounts& operator+=(const ShadowCounts& b);
 };
 
