@@ -15,7 +15,7 @@ std::string body(const ShadowOptions& shadows) {
   if (shadows.kind == ShadowKind::hard)
     return "  return dot(direction, n) > 0.0 ? pnb_visible(p, n, direction, reach) : 0.0;\n";
   return "  if (pnb_k > 0.0) w = 1.0 / pnb_k;\n"
-         "  reach = min(min(reach, pnb_span(p, direction).y), pnb_reach);\n"
+         "  if (l.type == 5) reach = max(pnb_span(p, direction).y, 0.0);\n"
          "  return penumbra_shadow_" +
          march(shadows) + "(p, direction, pnb_mint, reach, w);\n";
 }
