@@ -28,6 +28,7 @@ bool is_own_picture(const Arguments& a, const Scene& scene) {
 }
 
 void adapt_to_gl(Arguments& a, const Scene& scene, Console& console) {
+  a.render.conversions = a.conversion;
   if (is_own_picture(a, scene)) {
     if (!given(a, "--spp")) a.render.spp = 1;
     for (const char* option : {"--shadows", "--light", "--camera", "--exposure"})

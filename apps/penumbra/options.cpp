@@ -249,7 +249,7 @@ void add_picture_options(CLI::App& command, Arguments& a) {
       ->allow_extra_args(false);
   add(
       "--device", "NAME", "auto", [&](auto& t) { a.device = read_device(t); },
-      "cpu, gl (OpenGL: distance fields) or auto: gl for .glsl, cpu for the rest");
+      "cpu, gl (OpenGL, by distances) or auto: gl for .glsl, cpu for the rest");
   add(
       "--time", "T", "0", [&](auto& t) { a.render.time = parse_number("--time", t, -1e9, 1e9); },
       "iTime of shaders, seconds");

@@ -9,8 +9,10 @@
 #include "base/nearest_name.h"
 #include "light_spec.h"
 #include "options.h"
+#include "scene/extent.h"
 #include "scene/finish.h"
 #include "scene/load.h"
+#include "scene/sdf_path.h"
 
 namespace penumbra::app {
 namespace {
@@ -70,6 +72,17 @@ std::string camera_remedy(const Scene& scene, const std::string& name) {
                      indices);
 }
 
+void refuse_without_end(const Scene& scene, const std::string& file) {
+  for (const SdfTree& tree : scene.sdfs)
+    if (const auto node = unbounded_node(tree))
+      throw InputError({file},
+                       fmt::format("the {} at {} of \"{}\" has no end, and this method needs "
+                                   "triangles of it",
+                                   signature_of(tree.nodes[*node].op).name, sdf_path(tree, *node),
+                                   scene.objects[tree.object].name),
+                       "give the box to keep by --bounds x0,y0,z0,x1,y1,z1");
+}
+
 }  // namespace
 
 void warn_of_idle_options(const Arguments& arguments, Console& console) {
@@ -95,6 +108,9 @@ Scene prepare_scene(const Arguments& arguments, Console& console) {
 }
 
 int chosen_camera(const Scene& scene, const std::string& name_or_index) {
+  if (scene.cameras.empty())
+    throw InputError("the scene has no camera, and nothing to aim one at",
+                     "give it objects or a \"camera\"");
   for (std::size_t i = 0; i < scene.cameras.size(); ++i)
     if (scene.cameras[i].name == name_or_index) return static_cast<int>(i);
   std::size_t index = 0;
@@ -109,6 +125,8 @@ int chosen_camera(const Scene& scene, const std::string& name_or_index) {
 std::unique_ptr<World> build_world(const Scene& scene, const Arguments& arguments,
                                    Console& console) {
   const ShadowKind kind = arguments.render.shadows.kind;
+  if (kind == ShadowKind::parker && !arguments.conversion.bounds)
+    refuse_without_end(scene, arguments.scene);
   console.start("build", 0);
   WorldOptions options;
   options.cone_tree =

@@ -47,7 +47,9 @@ Probed probe_on_cpu(const Scene& scene, const Arguments& arguments,
   const Stopwatch build;
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
   const double build_seconds = build.seconds();
+  for (const std::string& text : world->warnings()) console.warn(text);
   Probed result = probe(Shadows(*world, arguments.render.shadows), points, console);
+  warn_of_unfinished(result.counts, console);
   result.build_seconds = build_seconds;
   result.structure_bytes = world->memory_bytes();
   return result;
@@ -60,6 +62,7 @@ Probed probe_on_gl(const Scene& scene, Arguments& arguments, const std::vector<P
   queries.reserve(points.size());
   for (const ProbePoint& point : points) queries.push_back({point.receiver, point.light});
   ProbeAnswers answers = probe_gl(scene, arguments.render, queries, console);
+  for (const std::string& text : answers.warnings) console.warn(text);
   if (answers.unfinished > 0)
     console.warn(std::to_string(answers.unfinished) + " points have a march that ran out of steps");
   Probed result;

@@ -32,8 +32,9 @@ void check_steps_are_counted(const Arguments& arguments, const Scene& scene) {
   if (!arguments.render.want_steps) return;
   if (!arguments.render.shadows.marches_field())
     throw InputError("--aov steps: this method does not march", "choose an sdf-* method");
-  if (draws_with_gl(arguments, scene))
-    throw InputError("--aov steps: OpenGL counts no steps by pixel", "choose --device cpu");
+  if (is_own_picture(arguments, scene))
+    throw InputError("--aov steps: a mainImage does not march",
+                     "choose --entry map, or leave it out");
 }
 
 // Seconds that the commands measure themselves.
@@ -49,6 +50,7 @@ Json::Value stats_of(const Arguments& arguments, const Scene& scene, std::size_t
   json["seconds"]["render"] = render.seconds_render;
   json["seconds"]["write"] = phases.write;
   json["rays"]["primary"] = static_cast<Json::UInt64>(render.primary_rays);
+  json["rays"]["unfinished"] = static_cast<Json::UInt64>(render.unfinished_rays);
   json["rays"]["mirror"] = static_cast<Json::UInt64>(render.mirror_rays);
   add_shadow_counts(json, render.shadows);
   json["exposure_ev"] = render.exposure_ev;
@@ -95,9 +97,12 @@ void run_render(Arguments& arguments, Console& console) {
   std::size_t bytes = 0;
   const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
   for (const std::string& text : result.warnings) console.warn(text);
-  if (const auto lost = result.stats.shadows.unfinished_marches; lost > 0)
-    console.warn(fmt::format("{} of {} marches ran out of steps; --steps gives them more", lost,
-                             result.stats.shadows.marches));
+  warn_of_unfinished(result.stats.shadows, console);
+  if (const auto lost = result.stats.unfinished_rays; lost > 0)
+    console.warn(
+        fmt::format("{} camera or mirror rays ran out of steps in a distance field and see the "
+                    "background: some operator makes it very steep",
+                    lost));
   console.remark(fmt::format("exposure: {:.2f} EV{}", result.stats.exposure_ev,
                              arguments.render.exposure_ev ? "" : " (from the scene)"));
   const Stopwatch write;

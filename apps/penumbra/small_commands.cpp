@@ -10,6 +10,7 @@
 #include "scene/info.h"
 #include "scene/load.h"
 #include "scene/starter.h"
+#include "sdf/field.h"
 
 namespace penumbra::app {
 
@@ -24,6 +25,8 @@ void run_info(const Arguments& arguments) {
   Scene scene = load_scene(arguments.scene);
   for (std::string& text : sdf::describe_conversions(scene, arguments.conversion))
     scene.report.conversions.push_back(std::move(text));
+  for (std::string& text : sdf::field_warnings(scene))
+    scene.report.warnings.push_back(std::move(text));
   print(describe(scene));
 }
 

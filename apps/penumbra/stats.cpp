@@ -1,5 +1,6 @@
 #include "stats.h"
 
+#include <fmt/format.h>
 #include <json/writer.h>
 
 #include "base/atomic_file.h"
@@ -52,7 +53,19 @@ void add_shadow_counts(Json::Value& stats, const ShadowCounts& counts) {
   stats["cones"]["leaves"] = count(counts.cone_leaves);
   stats["marches"]["queries"] = count(counts.marches);
   stats["marches"]["steps"] = count(counts.march_steps);
+  stats["rays"]["shadow_unfinished"] = count(counts.unfinished_rays);
   stats["marches"]["unfinished"] = count(counts.unfinished_marches);
+}
+
+void warn_of_unfinished(const ShadowCounts& counts, Console& console) {
+  if (counts.unfinished_marches > 0)
+    console.warn(fmt::format("{} of {} marches ran out of steps; --steps gives them more",
+                             counts.unfinished_marches, counts.marches));
+  if (counts.unfinished_rays > 0)
+    console.warn(
+        fmt::format("{} of {} shadow rays ran out of steps in a distance field and count as "
+                    "blocked: some operator makes it very steep",
+                    counts.unfinished_rays, counts.rays));
 }
 
 void write_stats(const std::string& file, Json::Value stats) {

@@ -4,6 +4,7 @@
 #include <json/value.h>
 
 #include "arguments.h"
+#include "console.h"
 #include "render/render.h"
 
 namespace penumbra::app {
@@ -16,6 +17,9 @@ Json::Value common_stats(const Arguments& arguments, const Scene& scene,
 void add_shadow_counts(Json::Value& stats, const ShadowCounts& counts);
 
 /// Adds the peak of memory and writes the file; throws WorkError.
+/// Warns of rays and marches that ran out of steps.
+void warn_of_unfinished(const ShadowCounts& counts, Console& console);
+
 void write_stats(const std::string& file, Json::Value stats);
 
 }  // namespace penumbra::app

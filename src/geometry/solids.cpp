@@ -5,6 +5,7 @@
 
 #include "geometry/embree_scene.h"
 #include "geometry/world.h"
+#include "scene/extent.h"
 #include "sdf/march.h"
 
 namespace penumbra {
@@ -23,23 +24,16 @@ float exit_of(const Bounds& box, const Vec3& origin, const Vec3& direction) {
   return near <= far ? far * (1 + 0x1p-20f) : -1.0f;
 }
 
-/// The ray as far as there can be anything; unbounded fields are seen to a thousand times the size
-/// of what is bounded and of the way to it.
-sdf::MarchRay march_ray(const sdf::Field& field, const Vec3& origin, const Vec3& direction,
-                        float t_max) {
-  const Bounds& box = field.bounds();
-  float far = 0;
-  if (field.is_bounded()) {
-    far = exit_of(box, origin, direction);
-  } else {
-    const float size = box.empty() ? 1 : box.diagonal() + length(box.center() - origin);
-    far = 1000 * (size + length(origin));
-  }
+/// The ray as far as there can be anything.
+sdf::MarchRay march_ray(const sdf::Field& field, const Bounds& extent, const Vec3& origin,
+                        const Vec3& direction, float t_max) {
+  const float far = field.is_bounded() ? exit_of(field.bounds(), origin, direction)
+                                       : sight_in_diagonals * extent.diagonal();
   return {origin, 0, direction, std::min(t_max, far)};
 }
 
-// Of the side that each ray met. Differences near an edge reach round it, to a side that faces away;
-// a little before the surface, by four times their width, they do not.
+// Of the side that each ray met. Differences near an edge reach round it, to a side that faces
+// away; a little before the surface, by four times their width, they do not.
 void normals_met(const sdf::Field& field, std::span<const Vec3> points,
                  std::span<const Vec3> directions, std::span<Vec3> normals) {
   field.normal(points, normals);
@@ -50,6 +44,10 @@ void normals_met(const sdf::Field& field, std::span<const Vec3> points,
     field.normal(std::span(&before, 1), std::span(&normal, 1));
     if (dot(normal, directions[i]) < 0) normals[i] = normal;
   }
+}
+
+std::uint64_t count_lost(std::span<const sdf::MarchHit> hits) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(hits, &sdf::MarchHit::out_of_steps));
 }
 
 // Longer than any ray needs that is not lost in a crevice.
@@ -98,23 +96,27 @@ void start_later(const sdf::Field& field, std::span<sdf::MarchRay> rays) {
 
 }  // namespace
 
-void World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+std::uint64_t World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
   std::array<sdf::MarchRay, rays_at_once> marches;
   std::array<sdf::MarchHit, rays_at_once> found;
   const auto fields = static_cast<std::uint32_t>(scene_.instances.size() + scene_.spheres.size());
+  std::uint64_t lost = 0;
   for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
     const std::size_t count = std::min(rays_at_once, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
       const auto& known = hits[first + i];
-      marches[i] = march_ray(*solids_, ray.origin, ray.direction, known ? known->t : ray.t_max);
+      marches[i] =
+          march_ray(*solids_, extent_, ray.origin, ray.direction, known ? known->t : ray.t_max);
     }
     start_later(*solids_, std::span(marches.data(), count));
     sdf::trace(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
                {most_steps});
     for (std::size_t i = 0; i < count; ++i)
       if (found[i].hit) hits[first + i] = Hit{found[i].t, 0, 0, {fields, 0}};
+    lost += count_lost({found.data(), count});
   }
+  return lost;
 }
 
 // Points of a march go back onto the surface: the ray's t carries the error of its whole length.
@@ -161,17 +163,18 @@ void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
 
 bool World::is_inside(const Vec3& p) const { return solids_ && solids_->distance(p) < 0; }
 
-bool World::occluded(const ShadowRay& ray, int excluded) const {
+bool World::occluded(const ShadowRay& ray, int excluded, std::uint64_t* lost) const {
   if (embree_->occluded(ray, excluded)) return true;
   if (!solids_) return false;
-  sdf::MarchRay march = march_ray(*solids_, ray.origin, ray.direction, ray.t_max);
+  sdf::MarchRay march = march_ray(*solids_, extent_, ray.origin, ray.direction, ray.t_max);
   march.t_min = ray.t_min;
   sdf::MarchHit hit;
   sdf::occluded(*solids_, std::span(&march, 1), std::span(&hit, 1), {most_steps});
+  if (lost) *lost += hit.out_of_steps;
   return hit.hit || hit.out_of_steps;
 }
 
-void World::occluded(const int* valid, RTCRay8& rays, int excluded) const {
+void World::occluded(const int* valid, RTCRay8& rays, int excluded, std::uint64_t* lost) const {
   embree_->occluded(valid, rays, excluded);
   if (!solids_) return;
   std::array<sdf::MarchRay, 8> marches;
@@ -180,7 +183,7 @@ void World::occluded(const int* valid, RTCRay8& rays, int excluded) const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < 8; ++i) {
     if (valid[i] == 0 || rays.tfar[i] < 0) continue;
-    marches[count] = march_ray(*solids_, {rays.org_x[i], rays.org_y[i], rays.org_z[i]},
+    marches[count] = march_ray(*solids_, extent_, {rays.org_x[i], rays.org_y[i], rays.org_z[i]},
                                {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]}, rays.tfar[i]);
     marches[count].t_min = rays.tnear[i];
     lane[count++] = i;
@@ -189,6 +192,7 @@ void World::occluded(const int* valid, RTCRay8& rays, int excluded) const {
                 {most_steps});
   for (std::size_t i = 0; i < count; ++i)
     if (found[i].hit || found[i].out_of_steps) rays.tfar[lane[i]] = -INFINITY;
+  if (lost) *lost += count_lost({found.data(), count});
 }
 
 }  // namespace penumbra

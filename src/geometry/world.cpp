@@ -4,6 +4,7 @@
 
 #include "geometry/cone_tree.h"
 #include "geometry/embree_scene.h"
+#include "scene/extent.h"
 #include "sdf/field.h"
 #include "sdf/mesher.h"
 
@@ -46,6 +47,7 @@ float voxel_of(const sdf::Field& solids, const sdf::ConversionOptions& conversio
 World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
       bounds_(bounds_of(scene)),
+      extent_(extent_of(scene)),
       embree_(std::make_unique<EmbreeScene>(scene)),
       solids_(solids_of(scene)) {
   if (options.cone_tree) {
@@ -69,20 +71,20 @@ std::optional<Hit> World::intersect(const Ray& ray) const {
   return hit;
 }
 
-void World::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+std::uint64_t World::intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const {
   const bool only_solids = solids_ && scene_.instances.empty() && scene_.spheres.empty();
   if (only_solids) std::fill_n(hits, rays.size(), std::nullopt);
   for (std::size_t first = 0; first < rays.size() && !only_solids; first += 8)
     embree_->intersect(rays.subspan(first, std::min<std::size_t>(8, rays.size() - first)),
                        hits + first);
-  if (solids_) march(rays, hits);
+  return solids_ ? march(rays, hits) : 0;
 }
 
 float World::epsilon_at(const Vec3& p) const {
   // Eight roundings of 2^-24: a hit point is a sum of three products of coordinates about as large
   // as its own, seen through a normal that was rounded too. Near the origin of a small scene the
   // vertices around it still have the scene's magnitude, a sixteenth of which counts.
-  return roundings() * std::max(max_component(abs(p)), bounds_.diagonal() / 16);
+  return roundings() * std::max(max_component(abs(p)), extent_.diagonal() / 16);
 }
 
 float World::clearance_epsilon_at(const Vec3& p) const { return std::max(epsilon_at(p), sagitta_); }
@@ -92,6 +94,11 @@ float World::roundings() const {
   // beyond the march's own tolerance, 3e-7 of the coordinates, even where f grows at a tenth of the
   // way as it may where fields blend (solid_surface).
   return solids_ ? 0x1p-18f : 0x1p-21f;
+}
+
+std::vector<std::string> World::warnings() const {
+  if (field_) return field_->warnings();
+  return solids_ ? solids_->warnings() : std::vector<std::string>();
 }
 
 std::size_t World::memory_bytes() const {

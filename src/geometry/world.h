@@ -65,22 +65,27 @@ class World {
   World& operator=(const World&) = delete;
 
   const Scene& scene() const { return scene_; }
-  /// Bounds of all geometry.
+  /// Bounds of all geometry, of what has no end the finite parts.
   const Bounds& bounds() const { return bounds_; }
+  /// extent_of(scene).
+  const Bounds& extent() const { return extent_; }
 
   /// The nearest hit with 0 < t < ray.t_max; alpha-masked holes are passed through. Distance fields
   /// are marched to the precision of triangles.
   std::optional<Hit> intersect(const Ray& ray) const;
   /// The same for many rays at once, which pays where they go much the same way.
-  void intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const;
+  /// Returns how many of them met nothing because they ran out of steps in a distance field.
+  std::uint64_t intersect(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   Surface surface(const Ray& ray, const Hit& hit) const;
   /// The same for many, which pays on distance fields. Three spans of one size.
   void surfaces(std::span<const Ray> rays, std::span<const Hit> hits, std::span<Surface> out) const;
 
   /// Whether anything but instance `excluded` (−1: nothing is excluded) blocks the ray.
-  bool occluded(const ShadowRay& ray, int excluded = -1) const;
+  /// Rays that run out of steps in a distance field count as blocked, and are added to `lost`.
+  bool occluded(const ShadowRay& ray, int excluded = -1, std::uint64_t* lost = nullptr) const;
   /// The same for the rays of a packet with valid[i] == −1, see EmbreeScene::occluded.
-  void occluded(const int* valid, RTCRay8& rays, int excluded = -1) const;
+  void occluded(const int* valid, RTCRay8& rays, int excluded = -1,
+                std::uint64_t* lost = nullptr) const;
 
   /// How far from its true place a computed point near p may be, by floating-point error of
   /// coordinates of that size, metres. Whatever is nearer to a tangent plane lies on it.
@@ -100,12 +105,14 @@ class World {
   bool has_field() const { return field_ != nullptr; }
   /// Distances to all there is; with WorldOptions::field only.
   const sdf::Field& field() const { return *field_; }
+  /// What a person should know of the distance fields.
+  std::vector<std::string> warnings() const;
   /// Bytes held beyond Embree's own and the scene's.
   std::size_t memory_bytes() const;
 
  private:
   /// What distance fields add to the hits known so far.
-  void march(std::span<const Ray> rays, std::optional<Hit>* hits) const;
+  std::uint64_t march(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   bool is_solid(const Hit& hit) const {
     return hit.primitive.instance >= scene_.instances.size() + scene_.spheres.size();
   }
@@ -114,7 +121,7 @@ class World {
                       std::span<const std::uint32_t> which, std::span<Surface> out) const;
 
   const Scene& scene_;
-  Bounds bounds_;
+  Bounds bounds_, extent_;
   std::unique_ptr<EmbreeScene> embree_;
   std::unique_ptr<const Scene> triangulated_;  ///< with distance fields as triangles; may be null
   float sagitta_ = 0;  ///< how far such triangles may stand over the surface, metres

@@ -73,6 +73,7 @@ class Tiling {
 void render_tiles(const RenderSetup& setup, RenderResult& result, Progress& progress) {
   const Tiling tiling(setup.options.width, setup.options.height);
   std::mutex mutex;
+  std::uint64_t blind_rays = 0;
   progress.start("render", tiling.count());
   parallel_for(tiling.count(), [&](std::size_t i) {
     thread_local TileScratch scratch;
@@ -82,10 +83,13 @@ void render_tiles(const RenderSetup& setup, RenderResult& result, Progress& prog
       result.stats.primary_rays += counts.primary_rays;
       result.stats.mirror_rays += counts.mirror_rays;
       result.stats.shadows += counts.shadows;
+      result.stats.unfinished_rays += counts.unfinished_rays;
+      blind_rays += counts.blind_rays;
     }
     progress.advance(1);
   });
   progress.finish();
+  if (blind_rays > 0) result.warnings.emplace_back(warning_of_blind_eye);
 }
 
 }  // namespace
@@ -95,12 +99,11 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   check(scene, options);
   const auto build_start = Clock::now();
   RenderResult result = empty_result(options, scene.lights.size());
+  result.warnings = world.warnings();
   const Shadows shadows(world, shadow_options(options));
   const DirectLight lights(shadows.lights());
   const MaterialLookup materials(scene);
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
-  if (world.is_inside(view.position))
-    result.warnings.emplace_back("the camera is inside a distance field: nothing is to be seen");
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
   const bool is_given = options.exposure_ev && !scene.ambient_is_automatic;

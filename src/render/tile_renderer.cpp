@@ -19,25 +19,34 @@ static_assert(Tile::size == 32 && half_of_code(0x3ff) == 31);
 
 /// Sample `sample` of pixels of the tile, those of [first, first + count) in Morton's order so that
 /// neighbours stay together. Pixels are numbered over the whole picture, so that tiles leave no
-/// trace.
-void primary_rays(const RenderSetup& setup, const Tile& tile, int sample, unsigned first,
-                  unsigned count, std::vector<TileRay>& rays) {
+/// trace. Rays that begin inside a distance field are left out: they see black. Returns how many
+/// those are.
+std::uint64_t primary_rays(const RenderSetup& setup, const Tile& tile, int sample, unsigned first,
+                           unsigned count, std::vector<TileRay>& rays) {
   const RenderOptions& o = setup.options;
   const float beam_share = 1 / std::sqrt(static_cast<float>(o.spp));
   const Vec2 at = pixel_sample(sample, o.spp);
+  const bool one_eye = !setup.camera.orthographic();
+  bool is_blind = one_eye && setup.world.is_inside(setup.camera.origin());
+  std::uint64_t blind = 0;
   rays.clear();
   for (unsigned code = first; code < first + count; ++code) {
     const int x = tile.x0 + half_of_code(code), y = tile.y0 + half_of_code(code >> 1);
     if (x >= tile.x1 || y >= tile.y1) continue;
     const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
                         static_cast<std::uint64_t>(x);
-    TileRay& ray = rays.emplace_back();
+    TileRay ray;
     ray.beam = setup.camera.at(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y);
+    if (!one_eye) is_blind = setup.world.is_inside(ray.beam.ray.origin);
+    blind += is_blind;
+    if (is_blind) continue;
     ray.beam.width *= beam_share;
     ray.beam.spread *= beam_share;
     ray.pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
     ray.stream = mix64(mix64(number, o.seed), static_cast<std::uint64_t>(sample));
+    rays.push_back(ray);
   }
+  return blind;
 }
 
 void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surface& surface,
@@ -126,8 +135,8 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
 
 }  // namespace
 
-void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
-           std::vector<TilePoint>& points) {
+std::uint64_t trace(const World& world, const MaterialLookup& materials,
+                    std::span<const TileRay> rays, std::vector<TilePoint>& points) {
   // Embree takes eight at a time; marches fill their lanes again from all that there are, and 256
   // stay near the processor.
   const std::size_t at_once = world.has_solids() ? 256 : 8;
@@ -139,10 +148,11 @@ void trace(const World& world, const MaterialLookup& materials, std::span<const 
   points.resize(rays.size());
   asked.resize(at_once), hits.resize(at_once);
   std::size_t count = 0;
+  std::uint64_t lost = 0;
   for (std::size_t first = 0; first < rays.size(); first += at_once) {
     const auto some = rays.subspan(first, std::min(at_once, rays.size() - first));
     for (std::size_t i = 0; i < some.size(); ++i) asked[i] = some[i].beam.ray;
-    world.intersect({asked.data(), some.size()}, hits.data());
+    lost += world.intersect({asked.data(), some.size()}, hits.data());
     met.clear(), which.clear();
     for (std::size_t i = 0; i < some.size(); ++i) {
       if (!hits[i]) continue;
@@ -157,6 +167,7 @@ void trace(const World& world, const MaterialLookup& materials, std::span<const 
       set_point(points[count++], some[which[i]], met[i], found[i], materials);
   }
   points.resize(count);
+  return lost;
 }
 
 TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& scratch,
@@ -170,10 +181,11 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
   const unsigned at_once = setup.shadows.marches_field() ? all / 4 : all;
   for (unsigned part = 0; part < static_cast<unsigned>(o.spp) * (all / at_once); ++part) {
     const auto sample = static_cast<int>(part / (all / at_once));
-    primary_rays(setup, tile, sample, part % (all / at_once) * at_once, at_once, scratch.rays);
+    counts.blind_rays +=
+        primary_rays(setup, tile, sample, part % (all / at_once) * at_once, at_once, scratch.rays);
     counts.primary_rays += scratch.rays.size();
     for (int depth = 0;; ++depth) {
-      trace(setup.world, setup.materials, scratch.rays, scratch.points);
+      counts.unfinished_rays += trace(setup.world, setup.materials, scratch.rays, scratch.points);
       if (depth == 0) aovs.met(scratch.points);
       shade_generation(setup, tile.width(), depth == 0 && aovs.wants_arrivals() ? &aovs : nullptr,
                        scratch, sums, counts.shadows);

@@ -29,6 +29,8 @@ struct Tile {
 };
 
 struct TileCounts {
+  std::uint64_t unfinished_rays = 0;  ///< camera's and mirrors' that ran out of steps
+  std::uint64_t blind_rays = 0;       ///< that began inside a distance field
   std::uint64_t primary_rays = 0, mirror_rays = 0;
   ShadowCounts shadows;
 };
@@ -50,9 +52,10 @@ struct TileScratch {
   PointShader shader;
 };
 
-/// Traces `rays` into `points`, in order, leaving out those that meet nothing.
-void trace(const World& world, const MaterialLookup& materials, std::span<const TileRay> rays,
-           std::vector<TilePoint>& points);
+/// Traces `rays` into `points`, in order, leaving out those that meet nothing. Returns how many of
+/// these ran out of steps in a distance field.
+std::uint64_t trace(const World& world, const MaterialLookup& materials,
+                    std::span<const TileRay> rays, std::vector<TilePoint>& points);
 
 /// Renders the tile into its pixels of `result`, whose images are of full size or, where not
 /// wanted, empty.

@@ -20,10 +20,16 @@ namespace penumbra {
 /// there.
 void finish_scene(Scene& scene, const std::string& file);
 
+/// What shows a scene that has no end: from (3.2, 2.6, 4.4) to (0, 0.4, 0), 40 degrees high.
+Camera default_view();
+/// A sun of 6 degrees for it, irradiance π.
+Light default_sun();
+
 /// Adds a framing camera if there is none and a soft key light near the camera's side if there is
 /// no light, placed by the scene's bounds and, if the file has a camera, beside that one; says so
 /// in the report. Call after finish_scene. Light on what faces it at the scene's centre: irradiance
-/// π.
+/// π. What has no end is framed by its finite parts; without any it gets default_view and
+/// default_sun.
 void add_missing_camera_and_light(Scene& scene);
 
 /// Groups triangles by shared vertex positions: for each triangle the number of its connected part,

@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 
+#include "scene/extent.h"
 #include "scene/finish.h"
 
 namespace penumbra {
@@ -43,6 +44,14 @@ Reach reach_of(const Scene& scene, const std::array<Vec3d, 4>& along) {
     for (const Vec3& p : scene.meshes[instance.mesh].positions)
       grow(instance.world_from_mesh.point(Vec3d(p)), 0);
   for (const Sphere& sphere : scene.spheres) grow(Vec3d(sphere.center), sphere.radius);
+  for (const SdfTree& tree : scene.sdfs) {
+    const Bounds box = bounds_of_finite_parts(tree);
+    if (box.empty()) continue;
+    for (int i = 0; i < 8; ++i)
+      grow(Vec3d(i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
+                 i & 4 ? box.hi.z : box.lo.z),
+           0);
+  }
   return reach;
 }
 
@@ -101,17 +110,52 @@ Light light_beside_camera(const Bounds& box, const Camera& camera) {
   return key_light(position, eye - back * distance, 0.1 * distance);
 }
 
+void add_defaults_without_end(Scene& scene) {
+  if (is_bounded(scene)) return;  // there is nothing to look at
+  auto& notes = scene.report.conversions;
+  if (scene.cameras.empty()) {
+    scene.cameras.push_back(default_view());
+    notes.emplace_back(
+        "the file has no camera, and nothing in it has an end: added a view from (3.2, 2.6, 4.4) "
+        "to (0, 0.4, 0)");
+  }
+  if (scene.lights.empty()) {
+    scene.lights.push_back(default_sun());
+    notes.emplace_back("the file has no light: added a sun of 6 degrees");
+  }
+}
+
 }  // namespace
+
+Camera default_view() {
+  Camera camera;
+  camera.name = "default";
+  camera.position = {3.2f, 2.6f, 4.4f};
+  camera.look_at = {0, 0.4f, 0};
+  camera.vertical_fov = static_cast<float>(kVerticalFov);
+  return camera;
+}
+
+Light default_sun() {
+  Light sun;
+  sun.type = LightType::sun;
+  sun.name = "sun";
+  sun.direction = Vec3(normalize(Vec3d(-0.5, -0.8, -0.3)));
+  sun.angular_diameter = static_cast<float>(6 * std::numbers::pi / 180);
+  sun.emission = Vec3(std::numbers::pi_v<float>);
+  return sun;
+}
 
 void add_missing_camera_and_light(Scene& scene) {
   const bool needs_camera = scene.cameras.empty(), needs_light = scene.lights.empty();
   if (!needs_camera && !needs_light) return;
   const Bounds box = bounds_of(scene);
-  if (box.empty()) return;
+  if (box.empty()) return add_defaults_without_end(scene);
   auto& notes = scene.report.conversions;
   if (needs_camera) {
     scene.cameras.push_back(framing_camera(scene, box));
-    notes.push_back("the file has no camera: added one that frames the scene");
+    notes.push_back(std::string("the file has no camera: added one that frames the scene") +
+                    (is_bounded(scene) ? "" : "'s finite parts, for some of it has no end"));
   }
   if (needs_light) {
     scene.lights.push_back(needs_camera ? light_for_model(box)

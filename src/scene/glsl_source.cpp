@@ -2,11 +2,11 @@
 
 #include <cctype>
 #include <filesystem>
-#include <numbers>
 #include <string_view>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "scene/finish.h"
 
 namespace penumbra {
 namespace {
@@ -57,19 +57,8 @@ Scene read_glsl_scene(const std::string& path) {
   scene.report.format = "distance field (GLSL)";
   scene.glsl = read_glsl_source(path);
   scene.objects.push_back({std::filesystem::path(path).stem().string()});
-  Camera camera;
-  camera.name = "default";
-  camera.position = {3.2f, 2.6f, 4.4f};
-  camera.look_at = {0, 0.4f, 0};
-  camera.vertical_fov = static_cast<float>(40 * std::numbers::pi / 180);
-  scene.cameras.push_back(camera);
-  Light sun;
-  sun.type = LightType::sun;
-  sun.name = "sun";
-  sun.direction = Vec3(normalize(Vec3d(-0.5, -0.8, -0.3)));
-  sun.angular_diameter = static_cast<float>(6 * std::numbers::pi / 180);
-  sun.emission = Vec3(std::numbers::pi_v<float>);
-  scene.lights.push_back(sun);
+  scene.cameras.push_back(default_view());
+  scene.lights.push_back(default_sun());
   scene.report.conversions.push_back(
       "a shader has no camera and no light: added a default view "
       "and a sun of 6 degrees");

@@ -1,15 +1,11 @@
 // A scene's field as a tape. Internal to the room.
 #pragma once
 
-#include <functional>
-
 #include "scene/scene.h"
+#include "sdf/mesh_distance.h"
 #include "sdf/tape.h"
 
 namespace penumbra::sdf {
-
-using MeshDistances =
-    std::function<std::shared_ptr<const MeshDistance>(const Scene&, std::size_t instance)>;
 
 struct CompileOptions {
   bool only_distance_fields = false;  ///< leaves out spheres and meshes

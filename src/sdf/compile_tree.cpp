@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/rotation.h"
 #include "sdf/leaves.h"
@@ -430,6 +431,7 @@ class TreeWriter {
   }
 
   void warn_of_copies() {
+    if (std::exchange(warned_of_copies_, true)) return;
     out_.tape.warnings.push_back(fmt::format(
         "the repetitions of \"{}\" are nested too deeply: only the nearest copies count, so that "
         "rays may pass through others",
@@ -442,6 +444,7 @@ class TreeWriter {
   std::vector<Bounds> bounds_;
   std::vector<NodeSlope> slopes_;
   std::vector<Task> tasks_;
+  bool warned_of_copies_ = false;
 };
 
 }  // namespace

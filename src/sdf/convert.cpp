@@ -32,6 +32,9 @@ class PlacedGrid : public MeshDistance {
     return {scale_ * r.lo, scale_ * r.hi};
   }
   std::size_t memory_bytes() const override { return grid_->memory_bytes(); }
+  std::optional<Placed> placed_grid() const override {
+    return Placed{grid_.get(), mesh_from_world_, scale_};
+  }
 
  private:
   std::shared_ptr<const MeshGrid> grid_;
@@ -118,8 +121,7 @@ std::string line_about_fields(const Scene& scene, const ConversionOptions& optio
 
 }  // namespace
 
-std::function<std::shared_ptr<const MeshDistance>(const Scene&, std::size_t)> mesh_distances(
-    const ConversionOptions& options) {
+MeshDistances mesh_distances(const ConversionOptions& options) {
   return [maker = std::make_shared<Maker>(options)](const Scene& scene, std::size_t instance) {
     return maker->make(scene, instance);
   };

@@ -1,8 +1,6 @@
 // Which conversions between triangles and distance fields a scene needs, and with what options.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +18,7 @@ struct ConversionOptions {
 
 /// For FieldOptions::mesh_distance. Instances whose transform keeps angles share the grid of their
 /// mesh; the others have one of their own, in the world's frame and without a file. Thread-safe.
-std::function<std::shared_ptr<const MeshDistance>(const Scene&, std::size_t instance)>
-mesh_distances(const ConversionOptions& options);
+MeshDistances mesh_distances(const ConversionOptions& options);
 
 /// A line for each mesh that has distances by a grid, then for the fields, for people.
 std::vector<std::string> describe_conversions(const Scene& scene, const ConversionOptions& options);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/extent.h"
 #include "sdf/blend.h"
 #include "sdf/compile.h"
 #include "sdf/field_data.h"
@@ -45,18 +46,9 @@ Bounds region_of_rays(const Scene& scene, const Bounds& bounds) {
   return box;
 }
 
-// Something for cells to lie in where nothing is bounded: about what the camera looks at.
-Bounds box_of_view(const Scene& scene) {
-  Bounds box{Vec3(-4), Vec3(4)};
-  if (scene.cameras.empty()) return box;
-  const Camera& camera = scene.cameras.front();
-  const float reach = length(camera.position - camera.look_at);
-  return {camera.look_at - Vec3(reach), camera.look_at + Vec3(reach)};
-}
-
 Regions regions_for(const FieldData& data, const Scene& scene, const FieldOptions& options) {
   const bool has_box = !data.bounds.empty() && data.bounds.diagonal() > 0;
-  const Bounds box = has_box ? data.bounds : box_of_view(scene);
+  const Bounds box = has_box ? data.bounds : extent_of(scene);
   RegionLimits limits;
   limits.bytes = options.region_bytes;
   limits.enabled = options.prune;
@@ -152,6 +144,10 @@ std::size_t Field::memory_bytes() const {
       sizeof(FieldData) + data_->tape.memory_bytes() + data_->regions.memory_bytes();
   for (const auto& mesh : data_->tape.meshes) bytes += mesh->memory_bytes();
   return bytes;
+}
+
+std::vector<std::string> field_warnings(const Scene& scene) {
+  return compile(scene, {.only_distance_fields = true, .mesh_distance = {}}).warnings;
 }
 
 }  // namespace penumbra::sdf

@@ -76,4 +76,7 @@ class Field {
   std::unique_ptr<FieldData> data_;
 };
 
+/// What a Field of the scene's distance-field objects warns of, without building one.
+std::vector<std::string> field_warnings(const Scene& scene);
+
 }  // namespace penumbra::sdf

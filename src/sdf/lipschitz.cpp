@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/sdf_path.h"
+
 namespace penumbra::sdf {
 namespace {
 
@@ -12,6 +14,7 @@ namespace {
 constexpr double reach_factor = 1.5;
 /// Where the child has no radius: rate · radius is taken to be this.
 constexpr double unknown_shear = 2;
+constexpr int most_warnings = 5;  // of one object
 
 // Outside, the gradient of the ellipsoid's bound is u + (1 − s)(u − W) for a unit vector u and s in
 // [0, 1], W = (Σ u² r²) R⁻² u: steepest at infinity, s = 0. Searched over the directions.
@@ -50,7 +53,8 @@ class Slopes {
 
   std::vector<NodeSlope> run() {
     slopes_.resize(tree_.nodes.size());
-    for (std::size_t i = tree_.nodes.size(); i-- > 0;) slopes_[i] = slope_of(tree_.nodes[i]);
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;)
+      slopes_[i] = slope_of(static_cast<std::uint32_t>(i));
     return std::move(slopes_);
   }
 
@@ -62,7 +66,8 @@ class Slopes {
     return most;
   }
 
-  NodeSlope slope_of(const SdfNode& node) {
+  NodeSlope slope_of(std::uint32_t index) {
+    const SdfNode& node = tree_.nodes[index];
     const auto n = tree_.numbers_of(node);
     if (node.op == SdfOp::ellipsoid) return {ellipsoid_constant(n.subspan(3)), 0};
     if (node.child_count == 0 || divides_children(node.op)) return {};
@@ -71,26 +76,31 @@ class Slopes {
       const double f = std::max({std::abs(n[1]), std::abs(n[2]), std::abs(n[3])});
       return {static_cast<float>(child + std::abs(n[0]) * f), 0};
     }
-    if (node.op == SdfOp::twist || node.op == SdfOp::bend) return turned(node, child, n[0]);
+    if (node.op == SdfOp::twist || node.op == SdfOp::bend) return turned(index, child, n[0]);
     return {child, 0};
   }
 
-  NodeSlope turned(const SdfNode& node, float child, double rate) {
+  NodeSlope turned(std::uint32_t index, float child, double rate) {
+    const SdfNode& node = tree_.nodes[index];
     const Bounds& box = bounds_[node.first_child];
     const double reach = reach_of(box, 0, node.op == SdfOp::twist ? 2 : 1);
     if (std::isfinite(reach))
       return {static_cast<float>(child * stretch_of(node.op, std::abs(rate) * reach)),
               static_cast<float>(reach)};
-    warn(signature_of(node.op).name);
+    warn(index);
     return {static_cast<float>(child * stretch_of(node.op, unknown_shear)), INFINITY};
   }
 
-  void warn(const char* op) {
-    const std::string text = fmt::format(
-        "the {} of \"{}\" turns something unbounded: no safe step is known, far from its axis rays "
-        "may pass through",
-        op, object_);
-    if (std::ranges::find(warnings_, text) == warnings_.end()) warnings_.push_back(text);
+  void warn(std::uint32_t index) {
+    if (++warned_ > most_warnings) {
+      if (warned_ == most_warnings + 1)
+        warnings_.push_back(fmt::format("\"{}\" has more of these", object_));
+      return;
+    }
+    warnings_.push_back(fmt::format(
+        "the {} at {} of \"{}\" turns something unbounded: no safe step is known, far from its "
+        "axis rays may pass through",
+        signature_of(tree_.nodes[index].op).name, sdf_path(tree_, index), object_));
   }
 
   const SdfTree& tree_;
@@ -98,6 +108,7 @@ class Slopes {
   std::vector<std::string>& warnings_;
   std::vector<Bounds> bounds_;
   std::vector<NodeSlope> slopes_;
+  int warned_ = 0;
 };
 
 // Does the shape mirror into itself at the plane where the axis is 0?

@@ -2,10 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
 
-#include "base/vec.h"
+#include "base/affine.h"
+#include "scene/scene.h"
 
 namespace penumbra::sdf {
+
+class MeshGrid;
 
 struct DistanceRange {
   float lo, hi;
@@ -26,6 +32,19 @@ class MeshDistance {
     return {d - radius, d + radius};
   }
   virtual std::size_t memory_bytes() const = 0;
+
+  /// The grid that gives the distances, times `scale`, at the points of its own frame.
+  struct Placed {
+    const MeshGrid* grid;
+    Affine grid_from_world;
+    float scale;
+  };
+  /// Nothing if there is no grid.
+  virtual std::optional<Placed> placed_grid() const { return {}; }
 };
+
+/// The distances to an instance of a scene that is not exact (box, quad, polygon).
+using MeshDistances =
+    std::function<std::shared_ptr<const MeshDistance>(const Scene&, std::size_t instance)>;
 
 }  // namespace penumbra::sdf

@@ -232,6 +232,9 @@ DistanceRange MeshGrid::range(const Vec3& center, float radius) const {
   return data_->distance(at) < 0 ? DistanceRange{-most, -least} : DistanceRange{least, most};
 }
 
+MeshGrid::Frame MeshGrid::frame() const { return {data_->center, data_->side, data_->ball_radius}; }
+const DistanceLevels& MeshGrid::levels() const { return data_->levels; }
+const TriangleTree& MeshGrid::triangles() const { return data_->triangles; }
 double MeshGrid::voxel_size() const { return data_->voxel; }
 bool MeshGrid::was_cached() const { return data_->was_cached; }
 bool MeshGrid::is_closed() const { return data_->is_closed; }

@@ -11,6 +11,9 @@
 
 namespace penumbra::sdf {
 
+struct DistanceLevels;
+class TriangleTree;
+
 struct GridOptions {
   /// Metres, in the mesh's frame; unset = 1/128 of the mesh's longest side.
   std::optional<double> voxel_size{};
@@ -48,6 +51,17 @@ class MeshGrid {
   Vec3 gradient(const Vec3& p) const;
   /// Bounds of distance() within `radius` of `center`.
   DistanceRange range(const Vec3& center, float radius) const;
+
+  /// The unit frame of what is behind it: (p − center) / side. Internal to the room, as the two
+  /// after it.
+  struct Frame {
+    Vec3d center;
+    double side;
+    float ball_radius;  ///< of the mesh about the origin, in that frame
+  };
+  Frame frame() const;
+  const DistanceLevels& levels() const;
+  const TriangleTree& triangles() const;
 
   double voxel_size() const;
   bool was_cached() const;

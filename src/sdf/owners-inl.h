@@ -35,8 +35,8 @@ struct OwnerMachine {
     r.blend = select(takes_v, v.blend, a.blend);
     if (join >= Join::smin) {
       const F h_over_k = max(1.0f - abs(a.value - other) * (1 / h.k), 0.0f);
-      const M differ = (abs(a.surface - v.surface) > F(0.5f)) & (h_over_k > F(1e-3f));
-      r.blend = max(r.blend, select(differ, 1.0f, 0.0f));
+      const M both = h_over_k > F(1e-3f), differ = abs(a.surface - v.surface) > F(0.5f);
+      r.blend = select(both, max(max(a.blend, v.blend), select(differ, 1.0f, 0.0f)), r.blend);
     }
     return r;
   }

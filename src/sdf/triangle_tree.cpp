@@ -299,6 +299,21 @@ int TriangleTree::crossings(const Vec3& from, const Vec3& to) const {
   return sum;
 }
 
+void TriangleTree::write_texels(std::vector<float>& boxes, std::vector<float>& triangles) const {
+  std::vector<std::uint32_t> skip(nodes_.size(), static_cast<std::uint32_t>(nodes_.size()));
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    if (node.count == 0) skip[i + 1] = node.next, skip[node.next] = skip[i];
+    const float first = node.count > 0 ? static_cast<float>(node.next) : -1.0f;
+    boxes.insert(boxes.end(), {node.lo.x, node.lo.y, node.lo.z, static_cast<float>(skip[i]),
+                               node.hi.x, node.hi.y, node.hi.z, first});
+  }
+  for (const Triangle& t : triangles_)
+    for (const Vec3& v : {t.a, t.b, t.c}) triangles.insert(triangles.end(), {v.x, v.y, v.z, 0.0f});
+  for (const Node& node : nodes_)
+    if (node.count > 0) triangles[12 * (std::size_t{node.next} + node.count - 1) + 3] = 1;
+}
+
 std::size_t TriangleTree::memory_bytes() const {
   return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
 }

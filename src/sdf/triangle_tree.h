@@ -38,6 +38,11 @@ class TriangleTree {
   /// there passes one from its front to its back, less how often from its back to its front.
   int crossings(const Vec3& from, const Vec3& to) const;
 
+  /// The tree for shaders, eight numbers a box, parents before children: low corner, number of the
+  /// next box where this one is skipped; high corner, first triangle or −1. Twelve a triangle: its
+  /// corners, each with a 0 behind it, but 1 behind the first of the last triangle of a leaf.
+  void write_texels(std::vector<float>& boxes, std::vector<float>& triangles) const;
+
   bool empty() const { return triangles_.empty(); }
   std::size_t memory_bytes() const;
 

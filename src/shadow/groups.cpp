@@ -92,12 +92,12 @@ void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t ligh
   constexpr std::size_t block = 256;
   for (std::size_t first = 0; first < receivers.size(); first += block) {
     const std::size_t count = std::min(block, receivers.size() - first);
-    counts.rays += trace_centre(receivers.subspan(first, count), centre, out.subspan(first, count));
+    trace_centre(receivers.subspan(first, count), centre, out.subspan(first, count), counts);
   }
 }
 
-std::size_t Shadows::trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
-                                  std::span<Visibility> out) const {
+void Shadows::trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
+                           std::span<Visibility> out, ShadowCounts& counts) const {
   thread_local ConeBatch queries;
   thread_local std::vector<std::uint32_t> which;
   find_centre_views(receivers, light, queries, which);
@@ -106,12 +106,12 @@ std::size_t Shadows::trace_centre(std::span<const Receiver> receivers, const Cen
   alignas(32) std::array<int, 8> valid;
   for (std::size_t first = 0; first < queries.size(); first += 8) {
     write_centre_rays(queries, first, rays, valid.data());
-    world_.occluded(valid.data(), rays);
+    world_.occluded(valid.data(), rays, -1, &counts.unfinished_rays);
     const std::size_t count = std::min<std::size_t>(8, queries.size() - first);
     for (std::size_t i = 0; i < count; ++i)
       out[which[first + i]].fraction = rays.tfar[i] >= 0 ? 1.0f : 0.0f;
   }
-  return queries.size();
+  counts.rays += queries.size();
 }
 
 }  // namespace penumbra

@@ -199,7 +199,7 @@ int trace_points(const LightRays::Setup& setup, const float* x, const float* y, 
   for (int first = 0; first < count; first += LightPacket::size) {
     LightPacket* out = targets ? targets++ : nullptr;
     if (aim(setup, x + first, y + first, count - first, rays, valid, out) != 0 && setup.world)
-      setup.world->occluded(valid, rays, setup.own_instance);
+      setup.world->occluded(valid, rays, setup.own_instance, &counts.unfinished_rays);
     *visible_bits++ = arrived(rays, valid, traced, visible);
   }
   if (setup.world) counts.rays += static_cast<std::uint64_t>(traced);

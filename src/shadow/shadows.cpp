@@ -11,7 +11,7 @@ namespace penumbra {
 ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& b) {
   rays += b.rays, cones += b.cones, cone_nodes += b.cone_nodes, cone_leaves += b.cone_leaves;
   marches += b.marches, march_steps += b.march_steps;
-  unfinished_marches += b.unfinished_marches;
+  unfinished_marches += b.unfinished_marches, unfinished_rays += b.unfinished_rays;
   return *this;
 }
 
@@ -58,7 +58,7 @@ float Shadows::hard(const Receiver& receiver, const LightView& view, ShadowCount
     ray.t_max -= on_plane_epsilon(world_, center, receiver.position) / lean;
   }
   ++counts.rays;
-  return world_.occluded(ray, view.own_instance) ? 0.0f : 1.0f;
+  return world_.occluded(ray, view.own_instance, &counts.unfinished_rays) ? 0.0f : 1.0f;
 }
 
 ConeQuery Shadows::cone_query(const Receiver& receiver, const LightView& view) const {

@@ -87,6 +87,7 @@ struct ShadowCounts {
   std::uint64_t marches = 0;             ///< through the distance field
   std::uint64_t march_steps = 0;         ///< of these
   std::uint64_t unfinished_marches = 0;  ///< that ran out of steps: the fraction is what they found
+  std::uint64_t unfinished_rays = 0;     ///< that ran out of steps: they count as blocked
   ShadowCounts& operator+=(const ShadowCounts& b);
 };
 
@@ -140,8 +141,8 @@ class Shadows {
   ConeQuery cone_query(const Receiver& receiver, const LightView& view) const;
   void hard_packets(std::span<const Receiver> receivers, std::size_t light,
                     std::span<Visibility> out, ShadowCounts& counts) const;
-  std::size_t trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
-                           std::span<Visibility> out) const;
+  void trace_centre(std::span<const Receiver> receivers, const CentreLight& light,
+                    std::span<Visibility> out, ShadowCounts& counts) const;
   void field_marches(std::span<const Receiver> receivers, std::size_t light,
                      std::span<Visibility> out, ShadowCounts& counts) const;
   CentreLight centre_light(const Light& source) const;

@@ -1,4 +1,5 @@
 #include "base/atomic_file.h"
+#include "image/exr.h"
 #include "image/png.h"
 #include "scene_fixture.h"
 
@@ -98,6 +99,19 @@ TEST_F(GlProgram, EyeInASolidIsTold) {
   EXPECT_THAT(told.err, HasSubstr("the camera is inside a solid"));
   const Image image = read_png(folder / "in.png");
   EXPECT_EQ(image.at(4, 4)[0], 0);
+}
+
+TEST_F(GlProgram, StepsAreALayerToo) {
+  const std::string steps = "steps=" + folder / "steps.exr";
+  EXPECT_EQ(render(kBlob, {"--shadows", "sdf-classic", "--aov", steps}).status, 0);
+  const ExrFile file = read_exr(folder / "steps.exr");
+  ASSERT_EQ(file.channels.count("steps.Y"), 1u);
+  const std::vector<float>& counts = file.channels.at("steps.Y").data;
+  EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 3);
+  const Outcome outcome = render("void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
+                                 {"--shadows", "sdf-classic", "--aov", steps});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("a mainImage does not march"));
 }
 
 TEST_F(GlProgram, ProbeTakesTheMap) {

@@ -98,33 +98,37 @@ TEST(JsonSdf, WrongParameters) {
       message_of(R"({"shape": "sphere", "radius": 1, "raduis": 2})"),
       R"(3:34: unknown key "raduis" in the sphere at root; did you mean "radius"? (known: shape, op, center, radius, material))");
   EXPECT_EQ(message_of(R"({"shape": "sphere", "radius": -1})"),
-            R"(3:31: "radius" is -1; give a number above 0 (1e-12 to 1e9))");
+            R"(3:31: "radius" is -1 in the sphere at root; give a number above 0 (1e-12 to 1e9))");
   EXPECT_EQ(message_of(R"({"shape": "sphere", "radius": NaN})"),
             R"(3:31: not valid JSON: a value is expected; correct the text there)");
-  EXPECT_EQ(message_of(R"({"shape": "box", "half_size": [1, 0, 1]})"),
-            R"(3:35: "half_size"[1] is 0; give [x, y, z], each a number above 0 (1e-12 to 1e9))");
+  EXPECT_EQ(
+      message_of(R"({"shape": "box", "half_size": [1, 0, 1]})"),
+      R"(3:35: "half_size"[1] is 0 in the box at root; give [x, y, z], each a number above 0 (1e-12 to 1e9))");
   EXPECT_EQ(
       message_of(R"({"shape": "box", "min": [0, 0, 0], "half_size": [1, 1, 1]})"),
-      R"(3:49: both "half_size" and "min" are given; give "min" and "max", or "center" and "half_size")");
+      R"(3:49: both "half_size" and "min" are given in the box at root; give "min" and "max", or "center" and "half_size")");
   EXPECT_EQ(
       message_of(R"({"shape": "box", "min": [0, 0, 0], "max": [1, 0, 1]})"),
-      R"(3:43: "max" of the box does not lie above its "min" in y; give a "max" above "min" in x, y and z)");
-  EXPECT_EQ(message_of(R"({"shape": "round_box", "half_size": [1, 0.1, 1], "radius": 0.2})"),
-            R"(3:60: "radius" is 0.2, more than the least half_size; give a smaller radius)");
+      R"(3:43: "max" does not lie above "min" along y in the box at root; give a "max" above "min" in x, y and z)");
+  EXPECT_EQ(
+      message_of(R"({"shape": "round_box", "half_size": [1, 0.1, 1], "radius": 0.2})"),
+      R"(3:60: "radius" is 0.2, more than the least half_size, in the round_box at root; give a smaller radius)");
   EXPECT_EQ(message_of(R"({"shape": "capsule", "from": [1, 1, 1], "to": [1, 1, 1], "radius": 1})"),
-            R"(3:47: "from" and "to" are the same point; use a sphere)");
+            R"(3:47: "from" and "to" are the same point in the capsule at root; use a sphere)");
   EXPECT_EQ(message_of(R"({"shape": "plane", "normal": [0, 0, 0]})"),
-            R"(3:30: "normal" has no length; give a vector other than zero)");
+            R"(3:30: "normal" has no length in the plane at root; give a vector other than zero)");
   EXPECT_EQ(
       message_of(R"({"shape": "plane", "normal": [0, 1, 0], "point": [0, 0, 0], "offset": 1})"),
-      R"(3:71: both "point" and "offset" are given; give one of them)");
-  EXPECT_EQ(message_of(R"({"shape": "cone", "angle_deg": 90, "height": 1})"),
-            R"(3:32: "angle_deg" is 90; give degrees above 0 and below 90 (0.001 to 89.999))");
+      R"(3:71: both "point" and "offset" are given in the plane at root; give one of them)");
+  EXPECT_EQ(
+      message_of(R"({"shape": "cone", "angle_deg": 90, "height": 1})"),
+      R"(3:32: "angle_deg" is 90 in the cone at root; give degrees above 0 and below 90 (0.001 to 89.999))");
   EXPECT_EQ(message_of(R"({"shape": "extrusion", "half_height": 1})"),
             R"(3:1: missing key "profile" in the extrusion at root; add it)");
   EXPECT_EQ(message_of(R"({"shape": "extrusion", "half_height": 1, "profile": {"shape": "polygon",
                            "vertices": [[0, 0], [2, 2], [2, 0], [0, 1]]}})"),
-            "4:40: the polygon crosses or touches itself: edges 0 and 2 meet; order the vertices "
+            "4:40: the polygon crosses or touches itself: edges 0 and 2 meet in "
+            "the profile of the extrusion at root; order the vertices "
             "around its border");
 }
 
@@ -136,16 +140,19 @@ TEST(JsonSdf, WrongOperators) {
   EXPECT_EQ(
       message_of(
           R"({"op": "smooth_union", "k": -0.1, "children": [{"shape": "sphere", "radius": 1}]})"),
-      R"(3:29: "k" is -0.1; give a number from 0 to 1e9)");
+      R"(3:29: "k" is -0.1 in the smooth_union at root; give a number from 0 to 1e9)");
   const std::string child = R"("child": {"shape": "sphere", "radius": 1}})";
-  EXPECT_EQ(message_of(R"({"op": "scale", "factor": 0, )" + child),
-            R"(3:27: "factor" is 0; give a number other than 0, or [x, y, z] of such)");
-  EXPECT_EQ(message_of(R"({"op": "mirror", "axes": "xw", )" + child),
-            R"(3:26: "axes" is "xw"; give axes, each once: "x", "yz", "xyz" …)");
+  EXPECT_EQ(
+      message_of(R"({"op": "scale", "factor": 0, )" + child),
+      R"(3:27: "factor" is 0 in the scale at root; give a number other than 0, or [x, y, z] of such)");
+  EXPECT_EQ(
+      message_of(R"({"op": "mirror", "axes": "xw", )" + child),
+      R"(3:26: "axes" is "xw" in the mirror at root; give axes, each once: "x", "yz", "xyz" …)");
   EXPECT_EQ(message_of(R"({"op": "repeat", "spacing": [1, 1, 1], "limit": [1, 2.5, 3], )" + child),
-            R"(3:49: "limit"[1] is 2.5; give whole numbers)");
-  EXPECT_EQ(message_of(R"({"op": "onion", "thickness": 0.1, "children": [], )" + child),
-            R"(3:47: both "child" and "children" are given; give one of them)");
+            R"(3:49: "limit"[1] is 2.5 in the repeat at root; give whole numbers)");
+  EXPECT_EQ(
+      message_of(R"({"op": "onion", "thickness": 0.1, "children": [], )" + child),
+      R"(3:47: both "child" and "children" are given in the onion at root; give one of them)");
 }
 
 TEST(JsonSdf, AThousandLevelsDeep) {

@@ -155,10 +155,14 @@ TEST(SdfField, SmoothUnionsBlendMaterials) {
 }
 
 TEST(SdfField, UnboundedTwistWarnsByName) {
-  const Field field(scene_with(R"({"type": "sdf", "name": "vine", "material": "a", "root":
-      {"op": "twist", "rate": 1, "child": {"shape": "plane", "normal": [1, 0, 0]}}})"));
+  const Scene scene = scene_with(R"({"type": "sdf", "name": "vine", "material": "a", "root":
+      {"op": "union", "children": [{"shape": "sphere", "radius": 1}, {"op": "round", "radius": 0.1,
+       "child": {"op": "twist", "rate": 1, "child": {"shape": "plane", "normal": [1, 0, 0]}}}]}})");
+  const Field field(scene);
   ASSERT_EQ(field.warnings().size(), 1u);
-  EXPECT_NE(field.warnings()[0].find("the twist of \"vine\""), std::string::npos);
+  EXPECT_NE(field.warnings()[0].find("the twist at root.children[1].child of \"vine\""),
+            std::string::npos);
+  EXPECT_EQ(sdf::field_warnings(scene), field.warnings());
   EXPECT_FALSE(field.is_bounded());
 }
 

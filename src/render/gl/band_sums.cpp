@@ -22,7 +22,7 @@ void BandSums::begin(int from_row, int rows) {
     if (image.data.empty()) return;
     for (std::size_t i = 0; i < pixel_count(); ++i) std::fill_n(at(image, i), image.channels, 0.0f);
   };
-  clear(result_.color), clear(result_.depth), clear(result_.normal);
+  clear(result_.color), clear(result_.depth), clear(result_.normal), clear(result_.steps);
   for (Image& image : result_.visibility) clear(image);
 }
 
@@ -81,6 +81,7 @@ void BandSums::add(const PictureDraw& draw, const gl::Target& target) {
     add_color(i, {color[4 * i], color[4 * i + 1], color[4 * i + 2]});
     if (!layers) continue;
     if (draw.base) add_view(i, &view[4 * i], notes[4 * i + 1] > 0);
+    if (options_.want_steps) *at(result_.steps, i) += notes[4 * i + 3];
     if (options_.want_visibility)
       for (std::size_t l = 0; l < draw.light_count; ++l)
         *at(result_.visibility[draw.light_from + l], i) += seen[4 * i + l];
@@ -98,6 +99,7 @@ void BandSums::finish() {
       float* depth = at(result_.depth, i);
       *depth = hits > 0 ? *depth / hits : INFINITY;
     }
+    if (options_.want_steps && hits > 0) *at(result_.steps, i) /= hits;
     if (options_.want_normal) {
       float* n = at(result_.normal, i);
       const float size = length(Vec3{n[0], n[1], n[2]});

@@ -65,7 +65,7 @@ void image(Stream& s, I& i) {
 
 template <class Stream, class R>
 void result(Stream& s, R& r) {
-  image(s, r.color), image(s, r.depth), image(s, r.normal), image(s, r.error);
+  image(s, r.color), image(s, r.depth), image(s, r.normal), image(s, r.error), image(s, r.steps);
   s.list(r.visibility, [&](auto& i) { image(s, i); });
   s.list(r.warnings, [&](auto& text) { s.values(text); });
   auto& stats = r.stats;

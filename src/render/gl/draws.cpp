@@ -38,7 +38,7 @@ bool is_one_point(const Light& light) {
 }
 
 std::vector<PictureDraw> picture_draws(const Scene& scene, const ShadowOptions& shadows,
-                                       int points_at_a_time, int generations) {
+                                       int points_at_a_time, int generations, std::size_t lights) {
   std::vector<PictureDraw> draws(1);
   draws[0].base = true;
   if (shadows.kind == ShadowKind::area) {
@@ -46,10 +46,10 @@ std::vector<PictureDraw> picture_draws(const Scene& scene, const ShadowOptions& 
       add_point_draws(scene, i, light_point_count(shadows), points_at_a_time, generations, draws);
     return draws;
   }
-  for (std::size_t i = 0; i < scene.lights.size(); i += lights_at_a_time) {
+  for (std::size_t i = 0; i < scene.lights.size(); i += lights) {
     if (i > 0) draws.emplace_back();
     draws.back().light_from = i;
-    draws.back().light_count = std::min<std::size_t>(lights_at_a_time, scene.lights.size() - i);
+    draws.back().light_count = std::min(lights, scene.lights.size() - i);
   }
   return draws;
 }

@@ -26,9 +26,10 @@ struct PictureDraw {
 };
 
 /// All draws of a sample. `points_at_a_time`: at most so many points in a draw; `generations`: of
-/// reflections that can be seen, 1 without mirrors.
+/// reflections that can be seen, 1 without mirrors; `lights`: at most so many in a draw.
 std::vector<PictureDraw> picture_draws(const Scene& scene, const ShadowOptions& shadows,
-                                       int points_at_a_time, int generations);
+                                       int points_at_a_time, int generations,
+                                       std::size_t lights = lights_at_a_time);
 
 void set_camera(gl::Program& program, const CameraRays& camera);
 void set_draw(gl::Program& program, const PictureDraw& draw, std::span<const ShaderLight> lights);

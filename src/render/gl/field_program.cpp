@@ -5,11 +5,13 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "sdf/glsl/generate.h"
 
 namespace penumbra {
 namespace {
 
 constexpr int kEmptyUnit = 7;  // no texture is ever bound there
+constexpr int kMeshUnit = 5;
 
 [[noreturn]] void refuse(const gl::CompileError& error, const FieldText& field) {
   const auto& messages = error.messages();
@@ -47,6 +49,26 @@ void set_view(gl::Program& program, const ShaderView& view) {
 
 }  // namespace
 
+MeshTexture::MeshTexture(const FieldText& field, int longest_side) {
+  const std::size_t count = field.mesh_texels.size() / 4;
+  if (count == 0) return;
+  constexpr std::size_t row = sdf::mesh_texel_row;
+  const std::size_t rows = (count + row - 1) / row;
+  if (rows > static_cast<std::size_t>(longest_side))
+    throw InputError("--device gl: the distances to the scene's meshes fit no texture",
+                     "give a greater --voxel-size, or use --device cpu");
+  texture_.emplace(static_cast<int>(row), static_cast<int>(rows));
+  std::vector<float> texels = field.mesh_texels;
+  texels.resize(4 * row * rows);
+  texture_->write(static_cast<int>(row), static_cast<int>(rows), texels);
+}
+
+void MeshTexture::give(gl::Program& program) const {
+  if (!texture_) return;
+  texture_->bind(kMeshUnit);
+  program.set("pnb_mesh_texels", kMeshUnit);
+}
+
 std::unique_ptr<gl::Program> field_program(const FieldText& field,
                                            const std::vector<ShaderLight>& lights,
                                            const ShadowOptions& shadows, ShaderTask task,
@@ -61,7 +83,7 @@ std::unique_ptr<gl::Program> field_program(const FieldText& field,
   const Vec3 &lo = field.box.lo, &hi = field.box.hi;
   program->set("pnb_low", lo.x, lo.y, lo.z);
   program->set("pnb_high", hi.x, hi.y, hi.z);
-  program->set("pnb_reach", field.sun_reach);
+  program->set("pnb_sight", field.sight);
   program->set("pnb_mint", shadows.mint);
   program->set("pnb_march_steps", shadows.steps);
   program->set("pnb_k", shadows.k.value_or(0.0f));

@@ -2,12 +2,25 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "gl/program.h"
+#include "gl/target.h"
 #include "render/glsl/compose.h"
 
 namespace penumbra {
+
+/// The distances to a field's meshes on the device. Programs that take it must not outlive it.
+class MeshTexture {
+ public:
+  /// Throws InputError if they are more than a texture holds.
+  MeshTexture(const FieldText& field, int longest_side);
+  void give(gl::Program& program) const;
+
+ private:
+  std::optional<gl::Texture> texture_;
+};
 
 /// What the program is told of the whole picture.
 struct ShaderView {

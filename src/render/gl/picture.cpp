@@ -20,7 +20,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 bool wants_layers(const RenderOptions& o) {
-  return o.want_visibility || o.want_depth || o.want_normal || o.shadows.kind == ShadowKind::area;
+  return o.want_visibility || o.want_depth || o.want_normal || o.want_steps ||
+         o.shadows.kind == ShadowKind::area;
 }
 
 class PictureDrawer {
@@ -32,6 +33,7 @@ class PictureDrawer {
         field_(field),
         options_(options),
         lights_(shader_lights(scene)),
+        meshes_(field, context.longest_side()),
         ambient_(scene.ambient) {}
 
   RenderResult draw(Progress& progress);
@@ -48,15 +50,21 @@ class PictureDrawer {
                    BandSums& sums);
   void set_streams(const Bands& bands, int sample);
   RenderResult empty_result() const;
+  std::vector<PictureDraw> wanted_draws() const {
+    return picture_draws(scene_, options_.shadows, points_at_a_time_, generations(),
+                         lights_in_a_draw_);
+  }
 
   const gl::Context& context_;
   const Scene& scene_;
   const FieldText& field_;
   const RenderOptions& options_;
   std::vector<ShaderLight> lights_;
+  MeshTexture meshes_;
   Vec3 ambient_;
   std::vector<PictureDraw> draws_;
   int points_at_a_time_ = 64;
+  std::size_t lights_in_a_draw_ = lights_at_a_time;
   std::unique_ptr<PointPatterns> patterns_;
   std::vector<std::uint64_t> streams_;
 };
@@ -65,6 +73,7 @@ std::unique_ptr<gl::Program> PictureDrawer::program(const ShadowOptions& shadows
                                                     int width, int height,
                                                     const Vec3& ambient) const {
   auto made = field_program(field_, lights_, shadows, task, {width, height, options_.time});
+  meshes_.give(*made);
   set_camera(*made, CameraRays(view(), width, height));
   made->set("pnb_ambient", ambient.x, ambient.y, ambient.z);
   const Vec3& sky = scene_.background;
@@ -148,11 +157,14 @@ void PictureDrawer::draw_band(gl::Program& program, const gl::Target& target, co
     for (int sample = 0; sample < options_.spp; ++sample)
       draw_sample(program, target, bands, sample, sums);
     if (sums.cut() == 0) break;
-    // Perhaps only too many of our own points at a time.
-    if (!patterns_ || points_at_a_time_ == 1)
-      refuse_cut_loops(field_, context_.renderer(), sums.cut(), sums.samples());
-    points_at_a_time_ = std::max(1, points_at_a_time_ / 8);
-    draws_ = picture_draws(scene_, options_.shadows, points_at_a_time_, generations());
+    // Perhaps only too many of our own points or lights at a time.
+    const bool can_take_less = patterns_ ? points_at_a_time_ > 1 : lights_in_a_draw_ > 1;
+    if (!can_take_less) refuse_cut_loops(field_, context_.renderer(), sums.cut(), sums.samples());
+    if (patterns_)
+      points_at_a_time_ = std::max(1, points_at_a_time_ / 8);
+    else
+      lights_in_a_draw_ = 1;
+    draws_ = wanted_draws();
   }
   sums.finish();
 }
@@ -164,6 +176,7 @@ RenderResult PictureDrawer::empty_result() const {
   if (o.want_visibility) result.visibility.assign(lights_.size(), Image(o.width, o.height, 1));
   if (o.want_depth) result.depth = Image(o.width, o.height, 1);
   if (o.want_normal) result.normal = Image(o.width, o.height, 3);
+  if (o.want_steps) result.steps = Image(o.width, o.height, 1);
   if (o.want_error) result.error = Image(o.width, o.height, 1);
   return result;
 }
@@ -181,8 +194,8 @@ RenderResult PictureDrawer::draw(Progress& progress) {
   auto shader =
       program(options_.shadows, layers ? ShaderTask::picture_with_layers : ShaderTask::picture,
               options_.width, options_.height, ambient_);
-  shader->set("pnb_ask_all", options_.want_visibility ? 1 : 0);
-  draws_ = picture_draws(scene_, options_.shadows, points_at_a_time_, generations());
+  shader->set("pnb_ask_all", options_.want_visibility || options_.want_steps ? 1 : 0);
+  draws_ = wanted_draws();
   Bands bands(options_.width, options_.height, context_.longest_side());
   const gl::Target target(options_.width, bands.most_rows(), layers ? 4 : 1);
   if (options_.shadows.kind == ShadowKind::area)
@@ -203,8 +216,7 @@ RenderResult PictureDrawer::draw(Progress& progress) {
     progress.advance(static_cast<std::uint64_t>(rows));
   }
   progress.finish();
-  if (sums.eye_is_inside())
-    result.warnings.push_back("the camera is inside a solid: the picture is black there");
+  if (sums.eye_is_inside()) result.warnings.emplace_back(warning_of_blind_eye);
   result.stats.seconds_render = seconds_since(start);
   return result;
 }

@@ -22,7 +22,8 @@ class Prober {
         field_(field),
         options_(options),
         queries_(queries),
-        lights_(shader_lights(scene)) {}
+        lights_(shader_lights(scene)),
+        meshes_(field, context.longest_side()) {}
 
   ProbeAnswers answer(Progress& progress);
 
@@ -37,6 +38,7 @@ class Prober {
   const RenderOptions& options_;
   std::span<const ProbeQuery> queries_;
   std::vector<ShaderLight> lights_;
+  MeshTexture meshes_;
   gl::Texture positions_{kRow, kMost / kRow}, normals_{kRow, kMost / kRow};
   gl::Target target_{kRow, kMost / kRow, 1};
   std::unique_ptr<PointPatterns> patterns_;
@@ -99,6 +101,7 @@ ProbeAnswers Prober::answer(Progress& progress) {
   const ShadowOptions& shadows = options_.shadows;
   auto program = field_program(field_, lights_, shadows, ShaderTask::probe,
                                {kRow, static_cast<int>(kMost) / kRow, options_.time});
+  meshes_.give(*program);
   if (shadows.kind == ShadowKind::area)
     patterns_ = std::make_unique<PointPatterns>(light_point_count(shadows), shadows.seed, kRow,
                                                 static_cast<int>(kMost) / kRow);

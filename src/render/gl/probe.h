@@ -20,6 +20,7 @@ struct ProbeAnswers {
   std::vector<float> fractions;  ///< one a query
   std::string device;
   std::uint64_t field_steps = 0, unfinished = 0;
+  std::vector<std::string> warnings;
 };
 
 /// Sampled methods take query i's points by stream i, as the CPU's probe does.

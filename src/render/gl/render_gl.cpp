@@ -18,15 +18,6 @@ void check_method(const ShadowOptions& shadows) {
                      "use --device cpu, or --light-samples");
 }
 
-// Only its distance matters to a probe, which may do without one.
-Camera camera_of(const Scene& scene, const RenderOptions& options) {
-  const auto index = static_cast<std::size_t>(options.camera);
-  if (index < scene.cameras.size()) return scene.cameras[index];
-  Camera camera;
-  camera.position = {0, 0, 5};
-  return camera;
-}
-
 std::string with_warning(const RenderOptions& options, std::uint64_t unfinished) {
   return std::to_string(unfinished) +
          " samples have a march or ray that ran out of steps (--steps " +
@@ -39,7 +30,8 @@ RenderResult render_gl(const Scene& scene, const RenderOptions& options, Entry e
                        Progress& progress, const gl::Patience& patience) {
   if (static_cast<std::size_t>(options.camera) >= scene.cameras.size())
     throw InputError("the scene has no such camera", "give it one");
-  const FieldText field = field_text(scene, camera_of(scene, options), entry == Entry::map);
+  const FieldText field =
+      field_text(scene, entry == Entry::map, sdf::mesh_distances(options.conversions));
   if (entry == Entry::main_image && !field.own_picture())
     throw InputError("the scene has no shader with mainImage", "leave out --entry");
   if (!field.own_picture()) check_method(options.shadows), shader_lights(scene);
@@ -60,20 +52,22 @@ RenderResult render_gl(const Scene& scene, const RenderOptions& options, Entry e
 ProbeAnswers probe_gl(const Scene& scene, const RenderOptions& options,
                       std::span<const ProbeQuery> queries, Progress& progress,
                       const gl::Patience& patience) {
-  const FieldText field = field_text(scene, camera_of(scene, options), true);
+  const FieldText field = field_text(scene, true, sdf::mesh_distances(options.conversions));
   check_method(options.shadows);
-  return probe_answers_from(gl::guarded(
+  ProbeAnswers answers = probe_answers_from(gl::guarded(
       [&](Progress& told) {
         const gl::Context context;
         return to_bytes(probe_field(context, scene, field, options, queries, told));
       },
       progress, patience));
+  answers.warnings = field.warnings;
+  return answers;
 }
 
 std::string export_shadertoy(const Scene& scene, const RenderOptions& options,
                              const std::string& source, Progress& progress,
                              std::vector<std::string>& warnings) {
-  const FieldText field = field_text(scene, camera_of(scene, options), true);
+  const FieldText field = field_text(scene, true);
   warnings.insert(warnings.end(), field.warnings.begin(), field.warnings.end());
   float exposure = options.exposure_ev.value_or(0.0f);
   Vec3 ambient = scene.ambient;

@@ -9,10 +9,10 @@ namespace penumbra {
 namespace {
 
 constexpr const char* kUniforms = R"(
-uniform vec3 pnb_low, pnb_high;  // nothing is looked for outside this box
+uniform vec3 pnb_low, pnb_high;  // the scene's extent enlarged by its diagonal
+uniform float pnb_sight;         // how far rays go; 0: to where they leave the box
 uniform int pnb_march_steps;     // of the published marches
 uniform float pnb_mint, pnb_k;   // where they begin; 1 / w, or 0: by the light's size
-uniform float pnb_reach;         // how far a sun's march goes at most
 
 )";
 

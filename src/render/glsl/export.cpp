@@ -73,7 +73,7 @@ std::string settings(const Scene& scene, const FieldText& field, const RenderOpt
          constant("vec3", "background", vec(scene.background)) +
          constant("int", "mirrors", std::to_string(field.mirrors ? o.mirror_depth : 0)) +
          constant("vec3", "low", vec(field.box.lo)) + constant("vec3", "high", vec(field.box.hi)) +
-         constant("float", "reach", number(field.sun_reach)) +
+         constant("float", "sight", number(field.sight)) +
          constant("int", "march_steps", std::to_string(o.shadows.steps)) +
          constant("float", "mint", number(o.shadows.mint)) +
          constant("float", "k", number(o.shadows.k.value_or(0))) + sample_text(o.spp);

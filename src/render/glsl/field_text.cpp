@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "render/glsl/material_text.h"
+#include "scene/extent.h"
 #include "sdf/glsl/generate.h"
 
 namespace penumbra {
 namespace {
-
-constexpr float kReach = 50, kSunReach = 10;  // of the distance of what the camera looks at
 
 const char* user_material(const UserShader& user) {
   return user.has_albedo ? "pnb_Material(clamp(albedo(p), 0.0, 1.0), vec3(0.0), vec3(0.0), "
@@ -23,7 +20,8 @@ const char* user_material(const UserShader& user) {
 std::string joined(const FieldText& field, bool shapes) {
   if (!shapes)
     return fmt::format(
-        "\nfloat pnb_map(vec3 p) {{ return map(p); }}\n\n"
+        "\nfloat pnb_map(vec3 p) {{ return map(p); }}\n#define pnb_surface pnb_map\n"
+        "#define pnb_signed pnb_map\n\n"
         "pnb_Material pnb_material(vec3 p) {{\n  return {};\n}}\n",
         user_material(*field.user));
   const std::string mine = field.user ? "min(map(p), pnb_scene(p))" : "pnb_scene(p)";
@@ -31,27 +29,17 @@ std::string joined(const FieldText& field, bool shapes) {
       field.user ? fmt::format("  if (map(p) < d) return {};\n", user_material(*field.user)) : "";
   return fmt::format(
       "\nfloat pnb_map(vec3 p) {{ return {}; }}\n\n"
+      "float pnb_surface(vec3 p) {{ return {}; }}\n\n"
+      "float pnb_signed(vec3 p) {{ return {}; }}\n\n"
       "pnb_Material pnb_material(vec3 p) {{\n  float d;\n"
       "  pnb_Material m = pnb_scene_material(p, d);\n{}  return m;\n}}\n",
-      mine, choice);
-}
-
-void look_around(const Camera& camera, FieldText& field) {
-  const float distance = std::max(length(camera.look_at - camera.position), 1e-3f);
-  field.box = {camera.look_at - Vec3(kReach * distance), camera.look_at + Vec3(kReach * distance)};
-  field.sun_reach = kSunReach * distance;
+      mine, field.user ? "min(map(p), pnb_scene_surface(p))" : "pnb_scene_surface(p)",
+      field.user ? "pnb_nearer(map(p), pnb_scene_signed(p))" : "pnb_scene_signed(p)", choice);
 }
 
 Bounds enlarged(Bounds box) {
   const Vec3 diagonal(box.diagonal());
   return {box.lo - diagonal, box.hi + diagonal};
-}
-
-bool is_bounded(const Scene& scene) {
-  return !scene.glsl && std::all_of(scene.sdfs.begin(), scene.sdfs.end(), [](const SdfTree& tree) {
-    const Bounds box = bounds_of(tree);
-    return box.empty() || is_finite(box);
-  });
 }
 
 void note_materials(const Scene& scene, FieldText& field) {
@@ -69,7 +57,7 @@ void note_materials(const Scene& scene, FieldText& field) {
 
 }  // namespace
 
-FieldText field_text(const Scene& scene, const Camera& camera, bool prefer_map) {
+FieldText field_text(const Scene& scene, bool prefer_map, const sdf::MeshDistances& meshes) {
   FieldText field;
   if (scene.glsl) {
     field.user = read_user_shader(scene.glsl->path, scene.glsl->text);
@@ -79,14 +67,14 @@ FieldText field_text(const Scene& scene, const Camera& camera, bool prefer_map) 
       throw InputError({field.user->file}, "the shader has a mainImage and no map",
                        "give it a float map(vec3 p), or render its picture");
   }
-  if (is_bounded(scene))
-    field.box = enlarged(bounds_of(scene));
-  else
-    look_around(camera, field);
+  const Bounds extent = extent_of(scene);
+  field.box = enlarged(extent);
+  if (!is_bounded(scene)) field.sight = sight_in_diagonals * extent.diagonal();
   field.generated = material_type();
   const bool shapes = sdf::has_shapes(scene);
   if (shapes) {
-    sdf::GlslField scene_field = sdf::generate_glsl(scene);
+    sdf::GlslField scene_field = sdf::generate_glsl(scene, meshes);
+    field.mesh_texels = std::move(scene_field.mesh_texels);
     field.generated += material_functions(scene, field.warnings) + scene_field.text;
     field.warnings.insert(field.warnings.end(), scene_field.warnings.begin(),
                           scene_field.warnings.end());

@@ -7,6 +7,7 @@
 
 #include "render/glsl/user_shader.h"
 #include "scene/scene.h"
+#include "sdf/mesh_distance.h"
 
 namespace penumbra {
 
@@ -14,20 +15,20 @@ namespace penumbra {
 /// or both; or a picture of the shader's own.
 struct FieldText {
   std::optional<UserShader> user;
-  std::string generated;    ///< GLSL: pnb_Material, pnb_map, pnb_material
-  bool glossy = false;      ///< some material has a glossy lobe
-  bool mirrors = false;     ///< some material is a mirror
-  Bounds box;               ///< where surfaces are looked for
-  float sun_reach = 1e30f;  ///< how far marches towards a sun go at most, metres
+  std::string generated;  ///< GLSL: pnb_Material, pnb_map, pnb_surface, pnb_signed, pnb_material
+  bool glossy = false;    ///< some material has a glossy lobe
+  bool mirrors = false;   ///< some material is a mirror
+  Bounds box;       ///< the scene's extent enlarged by its diagonal: marches to suns end there
+  float sight = 0;  ///< how far rays go, metres; 0 = to where they leave the box
+  std::vector<float> mesh_texels;  ///< see sdf::GlslField
   std::vector<std::string> warnings;
 
   /// Runs the shader's mainImage.
   bool own_picture() const { return user && user->has_main_image; }
 };
 
-/// The field of a scene. `prefer_map`: of a shader with map and mainImage, map counts. A field
-/// without bounds is looked at to 50 times the distance of what the camera looks at, and marched
-/// through towards a sun for 10 times that distance.
-FieldText field_text(const Scene& scene, const Camera& camera, bool prefer_map);
+/// The field of a scene. `prefer_map`: of a shader with map and mainImage, map counts.
+/// Meshes take their distances from `meshes`; without them they are refused.
+FieldText field_text(const Scene& scene, bool prefer_map, const sdf::MeshDistances& meshes = {});
 
 }  // namespace penumbra

@@ -14,7 +14,7 @@ std::string march(const ShadowOptions& shadows) {
 std::string body(const ShadowOptions& shadows) {
   if (shadows.kind == ShadowKind::hard && !shadows.marches_field())
     return "  return dot(direction, n) > 0.0 ? pnb_visible(p, n, direction, reach) : 0.0;\n";
-  const std::string reach = "  reach = min(min(reach, pnb_span(p, direction).y), pnb_reach);\n";
+  const std::string reach = "  if (l.type == 5) reach = max(pnb_span(p, direction).y, 0.0);\n";
   if (shadows.kind == ShadowKind::hard)
     return reach + "  return penumbra_shadow_hard(p, direction, pnb_mint, reach);\n";
   return "  if (pnb_k > 0.0) w = 1.0 / pnb_k;\n" + reach + "  return penumbra_shadow_" +

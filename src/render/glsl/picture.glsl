@@ -14,12 +14,13 @@ layout(location = 0) out vec4 pnb_out0;  // radiance, notes; by points: sum seen
 #if defined(PNB_LAYERS) || defined(PNB_BY_POINTS)
 layout(location = 1) out vec4 pnb_out1;  // depth and normal; by points: the glossy sums
 layout(location = 2) out vec4 pnb_out2;  // visible fractions of four lights
-layout(location = 3) out vec4 pnb_out3;  // notes, 1 = something is met, 1 = it reflects
+layout(location = 3) out vec4 pnb_out3;  // notes, 1 = something is met, 1 = it reflects, steps
 #endif
 
 vec4 pnb_sum0 = vec4(0.0), pnb_sum1 = vec4(0.0), pnb_seen = vec4(1.0);
 bool pnb_reflects = false;  // what is met first has a diffuse or glossy share
 bool pnb_inside = false;  // the eye is in a solid
+int pnb_first_steps = 0;  // of the marches from what is met first
 
 struct pnb_Point {
   vec3 position, normal, to_viewer;
@@ -78,7 +79,7 @@ void pnb_add_light(int i, pnb_Point q, vec3 throughput, bool first) {
   float seen = pnb_fraction(l, q.position, q.normal);
   pnb_sum0.rgb += (diffuse + glossy) * seen;
 #endif
-  if (first) pnb_seen[i] = seen;
+  if (first) pnb_seen[i] = seen, pnb_first_steps = penumbra_steps_taken;
 }
 
 // What the ray meets is shaded; false if it meets nothing.
@@ -99,7 +100,7 @@ bool pnb_meet(vec3 ro, vec3 rd, int generation, inout float way, vec3 throughput
   q.normal = pnb_normal(p, rd, 3e-5 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
   // Down to the surface along the ray: the field is flat over so short a way.
   float facing = -dot(q.normal, rd);
-  if (facing > 0.05) t += pnb_last / facing;
+  if (abs(facing) > 0.05) t += pnb_last / abs(facing);
   q.position = ro + rd * t;
   if (facing < 0.0) q.normal = -q.normal;
   q.material = pnb_material(q.position);
@@ -147,6 +148,6 @@ void main() {
 #if defined(PNB_LAYERS) || defined(PNB_BY_POINTS)
   pnb_out1 = pnb_sum1;
   pnb_out2 = pnb_seen;
-  pnb_out3 = vec4(notes, met, pnb_reflects, 0.0);
+  pnb_out3 = vec4(notes, met, pnb_reflects, pnb_first_steps);
 #endif
 }

@@ -28,7 +28,7 @@ vec3 pnb_radiance(vec3 ro, vec3 rd) {
     vec3 p = ro + rd * t;
     vec3 n = pnb_normal(p, rd, 3e-5 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
     float facing = -dot(n, rd);
-    if (facing > 0.05) t += pnb_last / facing;
+    if (abs(facing) > 0.05) t += pnb_last / abs(facing);
     p = ro + rd * t;
     if (facing < 0.0) n = -n;
     way += t;

@@ -12,13 +12,18 @@ vec2 pnb_span(vec3 ro, vec3 rd) {
   return vec2(max(max(lo.x, lo.y), max(lo.z, 0.0)), min(hi.x, min(hi.y, hi.z)));
 }
 
+// Where a ray begins and ends.
+vec2 pnb_way(vec3 ro, vec3 rd) {
+  return pnb_sight > 0.0 ? vec2(0.0, pnb_sight) : pnb_span(ro, rd);
+}
+
 // Distance to the first surface along the ray; -1 if there is none.
 float pnb_trace(vec3 ro, vec3 rd) {
-  vec2 inside = pnb_span(ro, rd);
+  vec2 inside = pnb_way(ro, rd);
   float t = inside.x;
   for (int i = 0; i < pnb_most_steps; ++i) {
     if (t > inside.y) return -1.0;
-    pnb_last = pnb_map(ro + rd * t);
+    pnb_last = pnb_surface(ro + rd * t);
     ++pnb_steps;
     if (pnb_last <= 1e-5 * t) return t;
     t += pnb_last;
@@ -29,21 +34,24 @@ float pnb_trace(vec3 ro, vec3 rd) {
   return -1.0;
 }
 
-// Unit normal at p by central differences over e. On a sheet both sides look alike: there it is
-// taken a little before p on the ray.
+// Unit normal at p by central differences over e. On a sheet both sides look alike, and rounding
+// makes any direction of that: where the slope is below 1, it is taken a little before p on the ray
+// too, and the steeper counts.
 vec3 pnb_normal(vec3 p, vec3 rd, float e) {
-  vec3 n = vec3(0.0);
+  vec3 n = vec3(0.0), at_p = vec3(0.0);
   for (int i = pnb_zero; i < 12; ++i) {
     if (i == 6) {
-      if (length(n) > 0.4 * e) break;
+      if (length(n) > 1.9 * e) break;
       p -= 4.0 * e * rd;
+      at_p = n;
       n = vec3(0.0);
     }
     int axis = i % 3;
     vec3 d = vec3(axis == 0, axis == 1, axis == 2);
     float side = i % 6 < 3 ? 1.0 : -1.0;
-    n += side * d * pnb_map(p + side * e * d);
+    n += side * d * pnb_signed(p + side * e * d);
   }
+  if (length(n) < 1.1 * length(at_p)) n = at_p;
   float size = length(n);
   return size > 0.0 ? n / size : -rd;
 }
@@ -58,10 +66,10 @@ float pnb_epsilon(vec3 p) {
 float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt) {
   float e = pnb_epsilon(p), t = e;
   vec3 ro = p + n * (2.0 * e);
-  maxt = min(maxt, pnb_span(ro, rd).y);
+  maxt = min(maxt, pnb_way(ro, rd).y);
   for (int i = 0; i < pnb_most_steps; ++i) {
     if (t >= maxt) return 1.0;
-    float h = pnb_map(ro + rd * t);
+    float h = pnb_surface(ro + rd * t);
     ++pnb_steps;
     if (h < e) return 0.0;
     t += h;

@@ -59,7 +59,8 @@ Vec3d triple(const At& at, const Range& each) {
            "give " + each.wanted);
   Vec3d v;
   for (int i = 0; i < 3; ++i)
-    v[i] = number({at.document, at.value[i], at.key}, fmt::format("\"{}\"[{}]", at.key, i), each);
+    v[i] = number({at.document, at.value[i], at.key, at.owner},
+                  fmt::format("\"{}\"[{}]", at.key, i), each);
   return v;
 }
 
@@ -77,7 +78,8 @@ const Range& in_space() {
 }  // namespace
 
 void refuse(const At& at, const std::string& what, const std::string& remedy) {
-  throw InputError(at.document.place(at.value), what, remedy);
+  throw InputError(at.document.place(at.value),
+                   at.owner.empty() ? what : fmt::format("{} in {}", what, at.owner), remedy);
 }
 
 std::string_view type_name(const Json::Value& value) {

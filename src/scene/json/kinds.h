@@ -15,9 +15,11 @@ struct At {
   const Document& document;
   const Json::Value& value;
   std::string_view key;
+  std::string_view
+      owner{};  ///< what has the key, for messages where the place alone says too little
 };
 
-/// Throws InputError at the value's place.
+/// Throws InputError at the value's place: "WHAT in OWNER".
 [[noreturn]] void refuse(const At& at, const std::string& what, const std::string& remedy);
 /// "a string", "an array" …
 std::string_view type_name(const Json::Value& value);

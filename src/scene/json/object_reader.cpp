@@ -25,20 +25,27 @@ ObjectReader::ObjectReader(const Document& document, const Json::Value& value, s
 }
 
 const Json::Value* ObjectReader::find(std::string_view key) {
-  if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
-  return value_.find(key.data(), key.data() + key.size());
+  const Json::Value* value = value_.find(key.data(), key.data() + key.size());
+  if (std::ranges::find(known_, key) != known_.end()) return value;
+  known_.push_back(key);
+  if (value) ++found_;
+  return value;
 }
 
 void ObjectReader::done() const {
+  if (found_ < value_.size()) refuse_unknown_key();
+  if (!missing_.empty())
+    throw InputError(document_.place(value_),
+                     fmt::format("missing key {} in {}", quoted(missing_.front()), noun_),
+                     "add it");
+}
+
+void ObjectReader::refuse_unknown_key() const {
   for (const Member& member : members_in_file_order(value_))
     if (std::ranges::find(known_, member.key) == known_.end())
       throw InputError(document_.key_place(value_, *member.value),
                        fmt::format("unknown key {} in {}", quoted(member.key), noun_),
                        suggest(member.key, known_, List::yes));
-  if (!missing_.empty())
-    throw InputError(document_.place(value_),
-                     fmt::format("missing key {} in {}", quoted(missing_.front()), noun_),
-                     "add it");
 }
 
 void ObjectReader::refuse_key(std::string_view key, const std::string& what,

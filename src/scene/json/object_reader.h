@@ -50,10 +50,13 @@ class ObjectReader {
   const Document& document() const { return document_; }
 
  private:
+  void refuse_unknown_key() const;
+
   const Document& document_;
   const Json::Value& value_;
   std::string noun_;
   std::vector<std::string_view> known_, missing_;
+  std::size_t found_ = 0;  ///< of the known keys
 };
 
 /// `did you mean "NEAREST"?` for a name that is not among `known`; also lists these if asked to.

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/cancel.h"
 #include "scene/glsl_source.h"
 #include "scene/json/builder.h"
 #include "scene/json/sdf_parameters.h"
+#include "scene/sdf_path.h"
 
 namespace penumbra::json {
 namespace {
-
-constexpr int longest_path = 8;  // segments that a message shows
 
 // A node that is still to be read.
 struct Pending {
@@ -41,18 +41,11 @@ class TreeReader {
     tree_.nodes.emplace_back().material = material;
   }
 
-  // "root.children[2].child", without its middle where it is long.
   std::string path(std::uint32_t node) const {
-    std::vector<std::string> segments;
-    int depth = 0;
-    for (std::uint32_t i = node; i != 0; i = pending_[i].parent, ++depth)
-      if (depth < longest_path)
-        segments.push_back(pending_[i].index < 0 ? std::string(".child")
-                                                 : fmt::format(".children[{}]", pending_[i].index));
-    std::string text = depth > longest_path ? fmt::format("root...({} more)", depth - longest_path)
-                                            : std::string("root");
-    for (auto s = segments.rbegin(); s != segments.rend(); ++s) text += *s;
-    return text;
+    std::vector<std::int32_t> steps;
+    for (std::uint32_t i = node; i != 0; i = pending_[i].parent) steps.push_back(pending_[i].index);
+    std::ranges::reverse(steps);
+    return sdf_path(steps);
   }
 
   void read_node(std::uint32_t i) {
@@ -86,7 +79,7 @@ class TreeReader {
     std::vector<std::string_view> names;
     std::vector<SdfOp> ops;
     const std::string name =
-        text({reader.document(), shape ? *shape : *op, shape ? "shape" : "op"});
+        text({reader.document(), shape ? *shape : *op, shape ? "shape" : "op", reader.noun()});
     for (const SdfSignature& s : sdf_signatures()) {
       if ((s.kind == SdfKind::shape) == (shape != nullptr))
         names.push_back(s.name), ops.push_back(s.op);
@@ -106,11 +99,12 @@ class TreeReader {
     const Json::Value* child = signature.most_children == 1 ? reader.find("child") : nullptr;
     const Json::Value* list = reader.find("children");
     if (child && list)
-      reader.refuse_key("children", "both \"child\" and \"children\" are given",
-                        "give one of them");
+      reader.refuse_key(
+          "children", fmt::format("both \"child\" and \"children\" are given in {}", reader.noun()),
+          "give one of them");
     if (child) return add(*child, parent, -1, material);
     if (!list) return reader.miss(signature.most_children == 1 ? "child" : "children");
-    array({reader.document(), *list, "children"});
+    array({reader.document(), *list, "children", reader.noun()});
     if (list->empty())
       reader.refuse_key("children", fmt::format("{} has no children", reader.noun()),
                         "give at least one");

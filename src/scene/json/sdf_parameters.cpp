@@ -42,6 +42,10 @@ Range range_of(const SdfParameter& parameter) {
   return {rule.lo, rule.hi, wanted};
 }
 
+At at_key(const ObjectReader& reader, const Json::Value& value, std::string_view key) {
+  return {reader.document(), value, key, reader.noun()};
+}
+
 void append(std::vector<double>& numbers, const Vec3d& v) {
   numbers.insert(numbers.end(), {v.x, v.y, v.z});
 }
@@ -83,7 +87,7 @@ void read_parameter(ObjectReader& reader, const SdfParameter& parameter,
   if (!value && parameter.required) reader.miss(parameter.key);
   if (!value)
     numbers.insert(numbers.end(), static_cast<std::size_t>(parameter.count), parameter.fallback);
-  else if (const At at{reader.document(), *value, parameter.key}; parameter.count == 3)
+  else if (const At at = at_key(reader, *value, parameter.key); parameter.count == 3)
     append(numbers, read_triple(at, parameter));
   else
     numbers.push_back(number(at, range_of(parameter)));
@@ -96,13 +100,18 @@ bool read_corners(ObjectReader& reader, std::vector<double>& numbers) {
   for (const char* key : {"center", "half_size"})
     if (reader.find(key))
       reader.refuse_key(key,
-                        fmt::format("both \"{}\" and \"{}\" are given", key, lo ? "min" : "max"),
+                        fmt::format("both \"{}\" and \"{}\" are given in {}", key,
+                                    lo ? "min" : "max", reader.noun()),
                         R"(give "min" and "max", or "center" and "half_size")");
-  const Vec3d a(reader.required("min", point)), b(reader.required("max", point));
+  Vec3d a, b;
+  if (lo) a = Vec3d(point(at_key(reader, *lo, "min")));
+  if (hi) b = Vec3d(point(at_key(reader, *hi, "max")));
+  if (!lo || !hi) reader.miss(lo ? "max" : "min");
   for (int i = 0; i < 3; ++i)
     if (lo && hi && !(a[i] < b[i]))
       reader.refuse_key(
-          "max", fmt::format("\"max\" of the box does not lie above its \"min\" in {}", "xyz"[i]),
+          "max",
+          fmt::format("\"max\" does not lie above \"min\" along {} in {}", "xyz"[i], reader.noun()),
           "give a \"max\" above \"min\" in x, y and z");
   append(numbers, (a + b) * 0.5);
   append(numbers, (b - a) * 0.5);
@@ -118,8 +127,10 @@ void read_plane(ObjectReader& reader, std::span<const SdfParameter> parameters,
   read_parameter(reader, parameters[1], numbers);
   if (!through) return;
   if (reader.find("offset"))
-    reader.refuse_key("offset", "both \"point\" and \"offset\" are given", "give one of them");
-  const Vec3d p(point({reader.document(), *through, "point"}));
+    reader.refuse_key("offset",
+                      fmt::format("both \"point\" and \"offset\" are given in {}", reader.noun()),
+                      "give one of them");
+  const Vec3d p(point(at_key(reader, *through, "point")));
   numbers[first + 3] = dot(p, Vec3d(numbers[first], numbers[first + 1], numbers[first + 2]));
 }
 
@@ -131,21 +142,21 @@ const Range& positive_range() {
 Vec2 pair_of(const At& at, double x[2], const Range& range) {
   if (!at.value.isArray() || at.value.size() != 2)
     refuse(at, fmt::format("\"{}\" is not two numbers", at.key), "give [x, y]");
-  for (int i = 0; i < 2; ++i) x[i] = number({at.document, at.value[i], at.key}, range);
+  for (int i = 0; i < 2; ++i) x[i] = number({at.document, at.value[i], at.key, at.owner}, range);
   return {};
 }
 
-void read_outline(const ObjectReader& reader, const At& at, std::vector<double>& numbers) {
+void read_outline(const At& at, std::vector<double>& numbers) {
   static const Range range{-1e9, 1e9, "[x, y], two numbers of size at most 1e9"};
   std::vector<Vec3d> vertices;
   for (const Json::Value& value : *array(at)) {
     double x[2];
-    pair_of({at.document, value, at.key}, x, range);
+    pair_of({at.document, value, at.key, at.owner}, x, range);
     vertices.emplace_back(x[0], x[1], 0);
     numbers.insert(numbers.end(), {x[0], x[1]});
   }
   const PolygonCut cut = cut_polygon(vertices);
-  if (!cut.fault.empty()) reader.refuse_key("vertices", cut.fault, cut.remedy);
+  if (!cut.fault.empty()) refuse(at, cut.fault, cut.remedy);
 }
 
 }  // namespace
@@ -167,16 +178,18 @@ SdfProfile read_profile(ObjectReader& owner, std::vector<double>& numbers) {
   static const std::vector<std::string_view> names{"circle", "box", "polygon"};
   ObjectReader reader(owner.document(), *value, "the profile of " + owner.noun());
   const std::size_t index = reader.index_of_name("shape", "profile", names);
-  if (index == 0)
-    numbers.push_back(reader.required<float>("radius", positive));
-  else if (const Json::Value* list = reader.find(index == 1 ? "half_size" : "vertices"); !list)
-    reader.miss(index == 1 ? "half_size" : "vertices");
-  else if (index == 1) {
+  const char* key = index == 0 ? "radius" : index == 1 ? "half_size" : "vertices";
+  const Json::Value* list = reader.find(key);
+  if (!list) {
+    reader.miss(key);
+  } else if (index == 0) {
+    numbers.push_back(positive(at_key(reader, *list, key)));
+  } else if (index == 1) {
     double x[2];
-    pair_of({owner.document(), *list, "half_size"}, x, positive_range());
+    pair_of(at_key(reader, *list, key), x, positive_range());
     numbers.insert(numbers.end(), {x[0], x[1]});
   } else {
-    read_outline(reader, {owner.document(), *list, "vertices"}, numbers);
+    read_outline(at_key(reader, *list, key), numbers);
   }
   reader.done();
   return static_cast<SdfProfile>(index + 1);
@@ -185,10 +198,13 @@ SdfProfile read_profile(ObjectReader& owner, std::vector<double>& numbers) {
 void check_parameters(const ObjectReader& reader, SdfOp op, std::span<const double> n) {
   if (op == SdfOp::round_box && n[6] > std::min({n[3], n[4], n[5]}))
     reader.refuse_key("radius",
-                      fmt::format("\"radius\" is {:g}, more than the least half_size", n[6]),
+                      fmt::format("\"radius\" is {:g}, more than the least half_size, in {}", n[6],
+                                  reader.noun()),
                       "give a smaller radius");
   if (op == SdfOp::capsule && n[0] == n[3] && n[1] == n[4] && n[2] == n[5])
-    reader.refuse_key("to", "\"from\" and \"to\" are the same point", "use a sphere");
+    reader.refuse_key("to",
+                      fmt::format("\"from\" and \"to\" are the same point in {}", reader.noun()),
+                      "use a sphere");
 }
 
 }  // namespace penumbra::json

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
+#include "sdf/glsl/mesh_texels.h"
 #include "sdf/glsl/numbers.h"
 #include "sdf/glsl/shader_text.h"
 #include "sdf/glsl/tree_text.h"
@@ -21,19 +23,29 @@ std::string comment(const std::string& name) {
 
 class SceneText {
  public:
-  explicit SceneText(const Scene& scene) : scene_(scene) {}
+  SceneText(const Scene& scene, const MeshDistances& meshes) : scene_(scene), meshes_(meshes) {}
 
   GlslField write() {
     field_.text = sdf_shader_text("shapes.glsl");
     for (std::size_t i = 0; i < scene_.sdfs.size(); ++i) add_tree(i);
     for (const Sphere& s : scene_.spheres)
-      add_shape(fmt::format("pnb_sd_sphere(p - {}, {})", vector(Vec3d(s.center)), number(s.radius)),
+      add_solid(fmt::format("pnb_sd_sphere(p - {}, {})", vector(Vec3d(s.center)), number(s.radius)),
                 s.material, s.object);
-    for (const Instance& instance : scene_.instances) add_mesh(instance);
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) add_mesh(i);
+    if (grids_ > 0) field_.text.insert(0, sdf_shader_text("mesh.glsl"));
+    field_.mesh_texels = texels_.take();
     field_.text += "\n// The whole field.\nfloat pnb_scene(vec3 p) {\n  float d = 1e30;\n" +
                    values_ + "  return d;\n}\n";
+    field_.text += surfaces_ == values_
+                       ? "#define pnb_scene_surface pnb_scene\n#define pnb_scene_signed pnb_scene\n"
+                       : "\n// As surfaces: only sdf objects have an inside.\n"
+                         "float pnb_scene_surface(vec3 p) {\n  float d = 1e30;\n" +
+                             surfaces_ +
+                             "  return d;\n}\n\n// The object whose surface is nearest alone.\n"
+                             "float pnb_scene_signed(vec3 p) {\n  float d = 1e30;\n" +
+                             signed_ + "  return d;\n}\n";
     field_.text +=
-        "\n// What it is made of at p, and its value.\n"
+        "\n// What the surface nearest to p is made of, and pnb_scene_surface(p).\n"
         "pnb_Material pnb_scene_material(vec3 p, out float d) {\n  pnb_Material m, o;\n"
         "  float e;\n  d = 1e30;\n" +
         shades_ + "  return m;\n}\n";
@@ -47,6 +59,8 @@ class SceneText {
     TreeText text(tree, name, scene_.objects[tree.object].name, field_.warnings);
     field_.text += text.value_functions();
     values_ += fmt::format("  d = min(d, {}(p));\n", name);
+    surfaces_ += fmt::format("  d = min(d, {}(p));\n", name);
+    signed_ += fmt::format("  d = pnb_nearer(d, {}(p));\n", name);
     if (text.has_one_material()) {
       add_shade(name + "(p)", tree.nodes.back().material);
       return;
@@ -55,10 +69,17 @@ class SceneText {
     shades_ += fmt::format("  e = {}_shade(p, o);\n  if (e < d) d = e, m = o;\n", name);
   }
 
-  void add_shape(const std::string& value, std::uint32_t material, std::uint32_t object) {
-    values_ +=
-        fmt::format("  d = min(d, {});  // {}\n", value, comment(scene_.objects[object].name));
-    add_shade(value, material);
+  void add_shape(const std::string& value, const std::string& surface, std::uint32_t material,
+                 std::uint32_t object) {
+    const std::string name = comment(scene_.objects[object].name);
+    values_ += fmt::format("  d = min(d, {});  // {}\n", value, name);
+    surfaces_ += fmt::format("  d = min(d, {});  // {}\n", surface, name);
+    signed_ += fmt::format("  d = pnb_nearer(d, {});  // {}\n", value, name);
+    add_shade(surface, material);
+  }
+
+  void add_solid(const std::string& value, std::uint32_t material, std::uint32_t object) {
+    add_shape(value, "abs(" + value + ")", material, object);
   }
 
   void add_shade(const std::string& value, std::uint32_t material) {
@@ -66,11 +87,12 @@ class SceneText {
         fmt::format("  e = {};\n  if (e < d) d = e, m = pnb_material_of({});\n", value, material);
   }
 
-  void add_mesh(const Instance& instance) {
+  void add_mesh(std::size_t index) {
+    const Instance& instance = scene_.instances[index];
     const Mesh& mesh = scene_.meshes[instance.mesh];
     if (const auto* box = std::get_if<ExactBox>(&mesh.exact)) {
       const Vec3d lo(box->lo), hi(box->hi);
-      return add_shape(
+      return add_solid(
           fmt::format("pnb_sd_box(p - {}, {})", vector((lo + hi) * 0.5), vector((hi - lo) * 0.5)),
           instance.material, instance.object);
     }
@@ -80,8 +102,39 @@ class SceneText {
                          instance);
     if (const auto* polygon = std::get_if<ExactPolygon>(&mesh.exact))
       return add_outline(polygon->vertices, instance);
-    throw InputError(fmt::format("--device gl: the mesh \"{}\" has no formula", mesh.name),
-                     "use --device cpu, or spheres, boxes, quads, polygons and sdf objects");
+    if (!meshes_)
+      throw InputError(fmt::format("the mesh \"{}\" has no formula for a shader", mesh.name),
+                       "use spheres, boxes, quads, polygons and sdf objects");
+    owned_.push_back(meshes_(scene_, index));
+    if (owned_.back()) add_grid(instance, *owned_.back());
+  }
+
+  void add_grid(const Instance& instance, const MeshDistance& distances) {
+    const auto placed = distances.placed_grid();
+    if (!placed) return;
+    const Mesh& mesh = scene_.meshes[instance.mesh];
+    const MeshGrid::Frame frame = placed->grid->frame();
+    const Affine& from_world = placed->grid_from_world;
+    const double unit = 1 / frame.side;
+    const std::string name = fmt::format("pnb_mesh{}", grids_++);
+    field_.text += fmt::format(
+        "\nfloat {}(vec3 p, bool with_sign) {{  // {}\n"
+        "  vec3 q = mat3({}, {}, {}) * p + {};\n"
+        "  return {} * pnb_grid({}, q, with_sign);\n}}\n",
+        name, comment(scene_.objects[instance.object].name), vector(Vec3d(from_world.x) * unit),
+        vector(Vec3d(from_world.y) * unit), vector(Vec3d(from_world.z) * unit),
+        vector((Vec3d(from_world.point(Vec3d())) - frame.center) * unit),
+        number(placed->scale * frame.side), texels_.add(*placed->grid));
+    add_shape(name + "(p, true)", name + "(p, false)", instance.material, instance.object);
+    if (!mesh.normals.empty())
+      warn_once(fmt::format("the mesh \"{}\" is shown without its vertex normals in shaders",
+                            comment(mesh.name)));
+  }
+
+  void warn_once(const std::string& text) {
+    auto& warnings = field_.warnings;
+    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+      warnings.push_back(text);
   }
 
   // A flat polygon in its own frame: u along its first edge, w its normal.
@@ -104,13 +157,16 @@ class SceneText {
         "  return pnb_sheet({0}_outline(q.xy), q.z);\n}}\n",
         name, comment(scene_.objects[instance.object].name), vector(origin), vector(u), vector(v),
         vector(w));
-    add_shape(name + "(p)", instance.material, instance.object);
+    add_shape(name + "(p)", name + "(p)", instance.material, instance.object);
   }
 
   const Scene& scene_;
+  const MeshDistances& meshes_;
   GlslField field_;
-  std::string values_, shades_;
-  int flats_ = 0;
+  MeshTexels texels_;
+  std::vector<std::shared_ptr<const MeshDistance>> owned_;  // so that grids keep their addresses
+  std::string values_, surfaces_, signed_, shades_;
+  int flats_ = 0, grids_ = 0;
 };
 
 }  // namespace
@@ -119,6 +175,8 @@ bool has_shapes(const Scene& scene) {
   return !scene.sdfs.empty() || !scene.spheres.empty() || !scene.instances.empty();
 }
 
-GlslField generate_glsl(const Scene& scene) { return SceneText(scene).write(); }
+GlslField generate_glsl(const Scene& scene, const MeshDistances& meshes) {
+  return SceneText(scene, meshes).write();
+}
 
 }  // namespace penumbra::sdf

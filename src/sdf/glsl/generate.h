@@ -5,24 +5,30 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "sdf/mesh_distance.h"
 
 namespace penumbra::sdf {
 
 struct GlslField {
   std::string text;
+  std::vector<float> mesh_texels;  ///< four floats a texel, for pnb_mesh_texels; see mesh.glsl
   std::vector<std::string> warnings;
 };
 
 /// True if the scene has anything that generate_glsl would write.
 bool has_shapes(const Scene& scene);
 
-/// The sdf objects, spheres, boxes, quads and polygons of a scene as GLSL ES 3.00, with the values
-/// of the tape (compile.h): the shapes' functions, a function for each sdf object, then
+/// The field of a scene as GLSL ES 3.00, with the values of the tape (compile.h): the shapes'
+/// functions, a function for each sdf object, then
 ///   float pnb_scene(vec3 p)
-///   pnb_Material pnb_scene_material(vec3 p, out float d)   d: pnb_scene(p)
+///   float pnb_scene_surface(vec3 p)   the same where no solid but the sdf objects has an inside
+///   float pnb_scene_signed(vec3 p)    of the object whose surface is nearest to p
+///   pnb_Material pnb_scene_material(vec3 p, out float d)   d: pnb_scene_surface(p)
 /// Before it must stand the type pnb_Material, pnb_material_of(int) for indices into
 /// Scene::materials, and pnb_mix_materials(a, b, share of b). Works without recursion: any depth.
-/// Throws InputError for a mesh of another kind, which has no formula.
-GlslField generate_glsl(const Scene& scene);
+/// Other meshes than boxes, quads and polygons take their distances from `meshes`, by a texture
+/// with mesh_texels, in rows of mesh_texel_row; InputError for one where that is empty.
+GlslField generate_glsl(const Scene& scene, const MeshDistances& meshes = {});
+inline constexpr int mesh_texel_row = 4096;
 
 }  // namespace penumbra::sdf

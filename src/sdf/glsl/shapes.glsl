@@ -128,6 +128,8 @@ vec3 pnb_copy(vec3 p, vec3 spacing, vec3 limit, vec3 next) {
   return p;
 }
 
+float pnb_nearer(float a, float b) { return abs(a) < abs(b) ? a : b; }
+
 // Pulls v back to `reach` from the origin; z: how far it was beyond.
 vec3 pnb_pulled(vec2 v, float reach) {
   float r = length(v);

@@ -190,6 +190,9 @@ void TreeText::enter_repeat(const Task& task) {
   const auto limit = [&](int i) { return n[3 + i] < 0 ? 1e30 : n[3 + i]; };
   const std::string limits = vector(Vec3d(limit(0), limit(1), limit(2)));
   const std::string part = part_name(node.first_child);
+  want_part(node.first_child, task.copies * total);
+  // Copies of copies are counted by loops: compilers write every call out.
+  if (task.copies > 1 && total > 1) return loop_over_copies(task, counts, limits);
   bool first = true;
   for (int copy = 0; copy < 8; ++copy) {
     const Vec3d next(copy & 1, copy >> 1 & 1, copy >> 2 & 1);
@@ -212,9 +215,33 @@ void TreeText::enter_repeat(const Task& task) {
     }
     first = false;
   }
-  if (std::none_of(parts_.begin(), parts_.end(),
-                   [&](const Part& p) { return p.node == node.first_child; }))
-    parts_.push_back({node.first_child, task.copies * total});
+}
+
+void TreeText::loop_over_copies(const Task& task, const CopyCounts& counts,
+                                const std::string& limits) {
+  const SdfNode& node = tree_.nodes[task.node];
+  int size[3];
+  for (int i = 0; i < 3; ++i) size[i] = std::max(counts.along[i], 1);
+  const std::string call =
+      fmt::format("{}(pnb_copy({}, {}, {}, vec3(i % {}, i / {} % {}, i / {}))",
+                  part_name(node.first_child), task.point, vector(tree_.numbers_of(node)), limits,
+                  size[0], size[0], size[1], size[0] * size[1]);
+  const std::string loop = fmt::format("for (int i = 0; i < {}; ++i)", size[0] * size[1] * size[2]);
+  if (!shade_) {
+    line(fmt::format("float d{} = 1e30;", task.node));
+    return line(fmt::format("{1} d{0} = min(d{0}, {2}));", task.node, loop, call));
+  }
+  line(fmt::format("pnb_Material m{0}, o{0};", task.node));
+  line(fmt::format("float d{0} = 1e30, c{0};", task.node));
+  line(loop + " {");
+  line(fmt::format("  c{0} = {1}, o{0});", task.node, call));
+  line(fmt::format("  if (c{0} < d{0}) d{0} = c{0}, m{0} = o{0};", task.node));
+  line("}");
+}
+
+void TreeText::want_part(std::uint32_t node, int copies) {
+  if (std::none_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.node == node; }))
+    parts_.push_back({node, copies});
 }
 
 std::string TreeText::operand(const SdfNode& parent, std::uint32_t child) const {

@@ -45,6 +45,8 @@ class TreeText {
   void enter(const Task& task);
   void enter_transform(Task task);
   void enter_repeat(const Task& task);
+  void loop_over_copies(const Task& task, const CopyCounts& counts, const std::string& limits);
+  void want_part(std::uint32_t node, int copies);
   void join(const Task& task);
   void leave(const Task& task);
   void push_children(const Task& task, const std::string& point);
