@@ -45,8 +45,8 @@ field_details() {
     "boxes, balls and tori under a sphere light. Hard is the plain published march (\`--variant" \
     "march\`). llvmpipe draws our GLSL of the same scene in one draw and one finish; of its two" \
     "vector widths the faster counts. The pictures of 1,000 blended shapes are $blended_size" \
-    "pixels, those of 8 shapes $field_size. Pixels that differ by more than one code of 255" \
-    "between the devices are counted; they lie on the shapes' outlines."
+    "pixels, those of 8 shapes $field_size. The last column: pixels that differ by more than one" \
+    "code of 255 between the devices."
   say ""
   say "| scene | method | our ms | llvmpipe's ms, 8 wide | 16 wide | differ |"
   say "|---|---|---|---|---|---|"
