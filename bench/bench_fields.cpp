@@ -80,7 +80,7 @@ class Shaders {
  public:
   Shaders(const Arguments& a, const Scene& scene)
       : width_(a.width), height_(a.height), target_(width_, height_, 1) {
-    const FieldText field = field_text(scene, scene.cameras[0], true);
+    const FieldText field = field_text(scene, true);
     const std::vector<ShaderLight> lights = shader_lights(scene);
     for (const Method& method : a.methods) {
       const RenderOptions o = options_of(a, method);
