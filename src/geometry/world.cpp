@@ -48,6 +48,7 @@ World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
       bounds_(bounds_of(scene)),
       extent_(extent_of(scene)),
+      sun_bounds_(penumbra::sun_bounds(scene)),
       embree_(std::make_unique<EmbreeScene>(scene)),
       solids_(solids_of(scene)) {
   if (options.cone_tree) {

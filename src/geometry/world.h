@@ -67,8 +67,8 @@ class World {
   const Scene& scene() const { return scene_; }
   /// Bounds of all geometry, of what has no end the finite parts.
   const Bounds& bounds() const { return bounds_; }
-  /// extent_of(scene).
-  const Bounds& extent() const { return extent_; }
+  /// sun_bounds(scene).
+  const Bounds& sun_bounds() const { return sun_bounds_; }
 
   /// The nearest hit with 0 < t < ray.t_max; alpha-masked holes are passed through. Distance fields
   /// are marched to the precision of triangles.
@@ -121,7 +121,7 @@ class World {
                       std::span<const std::uint32_t> which, std::span<Surface> out) const;
 
   const Scene& scene_;
-  Bounds bounds_, extent_;
+  Bounds bounds_, extent_, sun_bounds_;
   std::unique_ptr<EmbreeScene> embree_;
   std::unique_ptr<const Scene> triangulated_;  ///< with distance fields as triangles; may be null
   float sagitta_ = 0;  ///< how far such triangles may stand over the surface, metres

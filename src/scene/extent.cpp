@@ -28,6 +28,11 @@ Bounds extent_of(const Scene& scene) {
   return box;
 }
 
+Bounds sun_bounds(const Scene& scene) {
+  const Bounds box = bounds_of(scene);
+  return box.empty() ? extent_of(scene) : box;
+}
+
 std::optional<std::uint32_t> unbounded_node(const SdfTree& tree) {
   const std::vector<Bounds> boxes = bounds_of_nodes(tree);
   if (!has_no_end(boxes[0])) return {};

@@ -15,9 +15,12 @@ bool is_bounded(const Scene& scene);
 /// camera's look_at whose faces are as far from it as the camera; without cameras ±4 m.
 Bounds extent_of(const Scene& scene);
 
+/// Where published marches to a sun end, once it is enlarged on every side by its diagonal: the
+/// box of all that has an end; the extent where nothing has.
+Bounds sun_bounds(const Scene& scene);
+
 /// Rays that meet nothing end where they leave the extent; in a scene without end after this many
-/// of its diagonals. (The published marches end at their light, or for a sun at the extent enlarged
-/// by its diagonal.)
+/// of its diagonals.
 inline constexpr float sight_in_diagonals = 1000;
 
 /// Where a distance-field tree loses its end: the shape that has none, or the operator whose

@@ -23,7 +23,7 @@ sdf::ShadowMarch march_of(const ShadowOptions& options) {
   }
 }
 
-/// Where a ray leaves the scene's extent enlarged on every side by its diagonal; 0 outside.
+/// Where a ray leaves a box enlarged on every side by its diagonal; 0 outside.
 float way_out(const Bounds& bounds, const Vec3& origin, const Vec3& direction) {
   const Vec3 margin(bounds.diagonal());
   float far = INFINITY;
@@ -59,7 +59,7 @@ void Shadows::field_marches(std::span<const Receiver> receivers, std::size_t lig
     ray.direction = view->direction;
     ray.mint = options_.mint;
     ray.w = std::max(options_.k ? 1 / *options_.k : view->diameter_over_distance / 2, least_w);
-    ray.maxt = std::isinf(view->distance) ? way_out(world_.extent(), ray.origin, ray.direction)
+    ray.maxt = std::isinf(view->distance) ? way_out(world_.sun_bounds(), ray.origin, ray.direction)
                                           : view->distance;
     if (march == sdf::ShadowMarch::blog) ray.maxt = std::min(ray.maxt, blog_maxt);
     rays.push_back(ray);

@@ -29,6 +29,12 @@ TEST(Extent, OfWhatHasAnEndIsItsBox) {
   EXPECT_FALSE(unbounded_node(scene.sdfs[0]).has_value());
 }
 
+TEST(Extent, MarchesToASunEndByWhatHasAnEnd) {
+  EXPECT_NEAR(sun_bounds(scene_of(ball_on_plane)).lo.x, 0, 1e-5);
+  EXPECT_NEAR(sun_bounds(scene_of(ball_on_plane)).hi.z, 4, 1e-5);
+  EXPECT_EQ(sun_bounds(scene_of(R"({"shape": "plane", "normal": [0, 1, 0]})")).hi, Vec3(4));
+}
+
 TEST(Extent, OfTheRestIsWhatCamerasLookAt) {
   const Scene scene =
       scene_of(ball_on_plane, R"(, "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]})");

@@ -9,7 +9,7 @@ namespace penumbra {
 namespace {
 
 constexpr const char* kUniforms = R"(
-uniform vec3 pnb_low, pnb_high;  // the scene's extent enlarged by its diagonal
+uniform vec3 pnb_low, pnb_high;  // the scene's box enlarged by its diagonal
 uniform float pnb_sight;         // how far rays go; 0: to where they leave the box
 uniform int pnb_march_steps;     // of the published marches
 uniform float pnb_mint, pnb_k;   // where they begin; 1 / w, or 0: by the light's size

@@ -67,9 +67,8 @@ FieldText field_text(const Scene& scene, bool prefer_map, const sdf::MeshDistanc
       throw InputError({field.user->file}, "the shader has a mainImage and no map",
                        "give it a float map(vec3 p), or render its picture");
   }
-  const Bounds extent = extent_of(scene);
-  field.box = enlarged(extent);
-  if (!is_bounded(scene)) field.sight = sight_in_diagonals * extent.diagonal();
+  field.box = enlarged(sun_bounds(scene));
+  if (!is_bounded(scene)) field.sight = sight_in_diagonals * extent_of(scene).diagonal();
   field.generated = material_type();
   const bool shapes = sdf::has_shapes(scene);
   if (shapes) {

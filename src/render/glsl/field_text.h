@@ -18,8 +18,8 @@ struct FieldText {
   std::string generated;  ///< GLSL: pnb_Material, pnb_map, pnb_surface, pnb_signed, pnb_material
   bool glossy = false;    ///< some material has a glossy lobe
   bool mirrors = false;   ///< some material is a mirror
-  Bounds box;       ///< the scene's extent enlarged by its diagonal: marches to suns end there
-  float sight = 0;  ///< how far rays go, metres; 0 = to where they leave the box
+  Bounds box;             ///< the scene's box enlarged by its diagonal: marches to suns end there
+  float sight = 0;        ///< how far rays go, metres; 0 = to where they leave the box
   std::vector<float> mesh_texels;  ///< see sdf::GlslField
   std::vector<std::string> warnings;
 
