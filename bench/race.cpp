@@ -21,10 +21,25 @@ std::size_t Race::add(std::string name, std::function<void()> work) {
   return contestants_.size() - 1;
 }
 
+namespace {
+
+// A turn: what takes little is done several times, of which the least counts.
+double turn(const std::function<void()>& work) {
+  constexpr double least_turn = 0.05;
+  double least = seconds(work), all = least;
+  while (all < least_turn) {
+    const double again = seconds(work);
+    least = std::min(least, again), all += again;
+  }
+  return least;
+}
+
+}  // namespace
+
 void Race::run(int repeats) {
   for (Contestant& c : contestants_) c.work();
   for (int i = 0; i < repeats; ++i)
-    for (Contestant& c : contestants_) c.times.push_back(seconds(c.work));
+    for (Contestant& c : contestants_) c.times.push_back(turn(c.work));
 }
 
 double Race::ratio(std::size_t a, std::size_t b) const {

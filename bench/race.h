@@ -16,7 +16,8 @@ class Race {
  public:
   /// Returns the contestant's number.
   std::size_t add(std::string name, std::function<void()> work);
-  /// A warm-up each, then `repeats` rounds in which each runs once.
+  /// A warm-up each, then `repeats` rounds in which each takes a turn: it runs once, or for a
+  /// twentieth of a second, of which the least time counts.
   void run(int repeats);
 
   const std::string& name(std::size_t i) const { return contestants_[i].name; }
