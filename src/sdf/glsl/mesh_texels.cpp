@@ -67,8 +67,8 @@ void add_windings(const DistanceLevels& levels, const TriangleTree& triangles,
     if (const auto whole = winding_in(d)) {
       winding = static_cast<float>(*whole);
     } else if (std::abs(d) < asked_within * levels.voxel) {
-      const Vec3 corner(static_cast<float>(i % corners), static_cast<float>(i / corners % corners),
-                        static_cast<float>(i / (corners * corners)));
+      const int x = i % corners, y = i / corners % corners, z = i / (corners * corners);
+      const Vec3 corner(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
       winding = triangles.winding((brick.low + corner) * levels.voxel);
     }
     values[first + static_cast<std::size_t>(i)] = with_code(d, winding);
