@@ -130,6 +130,7 @@ class MeshLight::Search {
   void visit(std::uint32_t index) {
     const Node& node = light_.nodes_[index];
     const Vec3 way = point_ - node.center;
+    // Rounding of way and of the faces' corners is far below 1e-5 of either.
     const float away = length(way), slack = node.radius + 1e-5f * (away + node.radius);
     const float along = dot(way, node.axis);
     const float across = std::sqrt(std::max(0.0f, away * away - along * along));

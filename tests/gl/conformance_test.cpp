@@ -30,69 +30,65 @@ struct Case {
 #define BALL R"({"shape":"sphere","center":[0.2,0.1,0],"radius":0.5})"
 #define BRICK R"({"shape":"box","center":[-0.1,0,0.2],"half_size":[0.5,0.3,0.4]})"
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all{
-      {"sphere", BALL},
-      {"box", BRICK},
-      {"round_box", R"({"shape":"round_box","half_size":[0.5,0.3,0.4],"radius":0.1})"},
-      {"ellipsoid", R"({"shape":"ellipsoid","center":[0.1,0,0],"radii":[0.7,0.3,0.45]})"},
-      {"torus", R"({"shape":"torus","major_radius":0.6,"minor_radius":0.15})"},
-      {"capped_torus",
-       R"({"shape":"capped_torus","aperture_deg":110,"major_radius":0.6,"minor_radius":0.15})"},
-      {"capsule", R"({"shape":"capsule","from":[-0.4,0.1,0],"to":[0.5,0.2,0.3],"radius":0.2})"},
-      {"cylinder", R"({"shape":"cylinder","center":[0,0.1,0],"half_height":0.5,"radius":0.3})"},
-      {"capped_cone",
-       R"({"shape":"capped_cone","half_height":0.4,"radius_bottom":0.5,"radius_top":0.2})"},
-      {"cone", R"({"shape":"cone","apex":[0,0.5,0],"angle_deg":28,"height":0.9})"},
-      {"plane", R"({"shape":"plane","normal":[1,2,0.5],"offset":0.2})"},
-      {"hexagonal_prism", R"({"shape":"hexagonal_prism","radius":0.4,"half_height":0.3})"},
-      {"octahedron", R"({"shape":"octahedron","center":[0,0,0.1],"radius":0.6})"},
-      {"link", R"({"shape":"link","half_length":0.2,"major_radius":0.3,"minor_radius":0.1})"},
-      {"extrusion circle",
-       R"({"shape":"extrusion","profile":{"shape":"circle","radius":0.4},"half_height":0.3})"},
-      {"extrusion box",
-       R"({"shape":"extrusion","profile":{"shape":"box","half_size":[0.4,0.2]},"half_height":0.3})"},
-      {"extrusion polygon", R"({"shape":"extrusion","half_height":0.3,"profile":{"shape":"polygon",
+constexpr Case cases[] = {
+    {"sphere", BALL},
+    {"box", BRICK},
+    {"round_box", R"({"shape":"round_box","half_size":[0.5,0.3,0.4],"radius":0.1})"},
+    {"ellipsoid", R"({"shape":"ellipsoid","center":[0.1,0,0],"radii":[0.7,0.3,0.45]})"},
+    {"torus", R"({"shape":"torus","major_radius":0.6,"minor_radius":0.15})"},
+    {"capped_torus",
+     R"({"shape":"capped_torus","aperture_deg":110,"major_radius":0.6,"minor_radius":0.15})"},
+    {"capsule", R"({"shape":"capsule","from":[-0.4,0.1,0],"to":[0.5,0.2,0.3],"radius":0.2})"},
+    {"cylinder", R"({"shape":"cylinder","center":[0,0.1,0],"half_height":0.5,"radius":0.3})"},
+    {"capped_cone",
+     R"({"shape":"capped_cone","half_height":0.4,"radius_bottom":0.5,"radius_top":0.2})"},
+    {"cone", R"({"shape":"cone","apex":[0,0.5,0],"angle_deg":28,"height":0.9})"},
+    {"plane", R"({"shape":"plane","normal":[1,2,0.5],"offset":0.2})"},
+    {"hexagonal_prism", R"({"shape":"hexagonal_prism","radius":0.4,"half_height":0.3})"},
+    {"octahedron", R"({"shape":"octahedron","center":[0,0,0.1],"radius":0.6})"},
+    {"link", R"({"shape":"link","half_length":0.2,"major_radius":0.3,"minor_radius":0.1})"},
+    {"extrusion circle",
+     R"({"shape":"extrusion","profile":{"shape":"circle","radius":0.4},"half_height":0.3})"},
+    {"extrusion box",
+     R"({"shape":"extrusion","profile":{"shape":"box","half_size":[0.4,0.2]},"half_height":0.3})"},
+    {"extrusion polygon", R"({"shape":"extrusion","half_height":0.3,"profile":{"shape":"polygon",
         "vertices":[[-0.5,-0.4],[0.5,-0.4],[0.5,0.4],[0,0],[-0.5,0.4]]}})"},
-      {"revolution circle",
-       R"({"shape":"revolution","profile":{"shape":"circle","radius":0.2},"offset":0.4})"},
-      {"revolution box",
-       R"({"shape":"revolution","profile":{"shape":"box","half_size":[0.1,0.3]},"offset":0.4})"},
-      {"revolution polygon", R"({"shape":"revolution","profile":{"shape":"polygon",
+    {"revolution circle",
+     R"({"shape":"revolution","profile":{"shape":"circle","radius":0.2},"offset":0.4})"},
+    {"revolution box",
+     R"({"shape":"revolution","profile":{"shape":"box","half_size":[0.1,0.3]},"offset":0.4})"},
+    {"revolution polygon", R"({"shape":"revolution","profile":{"shape":"polygon",
         "vertices":[[0.1,-0.4],[0.5,0],[0.1,0.4]]}})"},
-      {"union", R"({"op":"union","children":[)" BALL "," BRICK "]}"},
-      {"intersection", R"({"op":"intersection","children":[)" BALL "," BRICK "]}"},
-      {"difference", R"({"op":"difference","children":[)" BRICK "," BALL "]}"},
-      {"smooth_union", R"({"op":"smooth_union","k":0.2,"children":[)" BALL "," BRICK "," BALL "]}"},
-      {"smooth_intersection",
-       R"({"op":"smooth_intersection","k":0.2,"children":[)" BALL "," BRICK "]}"},
-      {"smooth_difference",
-       R"({"op":"smooth_difference","k":0.2,"children":[)" BRICK "," BALL "]}"},
-      {"smooth_union of k 0", R"({"op":"smooth_union","k":0,"children":[)" BALL "," BRICK "]}"},
-      {"onion", R"({"op":"onion","thickness":0.05,"child":)" BALL "}"},
-      {"round", R"({"op":"round","radius":0.1,"child":)" BRICK "}"},
-      {"displace", R"({"op":"displace","amplitude":0.05,"frequency":[9,7,5],"child":)" BALL "}"},
-      {"translate", R"({"op":"translate","offset":[0.3,-0.2,0.1],"child":)" BRICK "}"},
-      {"rotate", R"({"op":"rotate","rotate_deg":[20,50,-35],"child":)" BRICK "}"},
-      {"scale", R"({"op":"scale","factor":1.5,"child":)" BRICK "}"},
-      {"scale unevenly", R"({"op":"scale","factor":[1.5,0.5,-0.8],"child":)" BALL "}"},
-      {"mirror", R"({"op":"mirror","axes":"xz","child":)" BALL "}"},
-      {"repeat", R"({"op":"repeat","spacing":[1.2,0,1.4],"child":)" BRICK "}"},
-      {"repeat to a limit",
-       R"({"op":"repeat","spacing":[0.5,0.9,0],"limit":[1,0,0],"child":)" BALL "}"},
-      {"repeat of repeat", R"({"op":"repeat","spacing":[2,0,0],"child":{"op":"repeat",
+    {"union", R"({"op":"union","children":[)" BALL "," BRICK "]}"},
+    {"intersection", R"({"op":"intersection","children":[)" BALL "," BRICK "]}"},
+    {"difference", R"({"op":"difference","children":[)" BRICK "," BALL "]}"},
+    {"smooth_union", R"({"op":"smooth_union","k":0.2,"children":[)" BALL "," BRICK "," BALL "]}"},
+    {"smooth_intersection",
+     R"({"op":"smooth_intersection","k":0.2,"children":[)" BALL "," BRICK "]}"},
+    {"smooth_difference", R"({"op":"smooth_difference","k":0.2,"children":[)" BRICK "," BALL "]}"},
+    {"smooth_union of k 0", R"({"op":"smooth_union","k":0,"children":[)" BALL "," BRICK "]}"},
+    {"onion", R"({"op":"onion","thickness":0.05,"child":)" BALL "}"},
+    {"round", R"({"op":"round","radius":0.1,"child":)" BRICK "}"},
+    {"displace", R"({"op":"displace","amplitude":0.05,"frequency":[9,7,5],"child":)" BALL "}"},
+    {"translate", R"({"op":"translate","offset":[0.3,-0.2,0.1],"child":)" BRICK "}"},
+    {"rotate", R"({"op":"rotate","rotate_deg":[20,50,-35],"child":)" BRICK "}"},
+    {"scale", R"({"op":"scale","factor":1.5,"child":)" BRICK "}"},
+    {"scale unevenly", R"({"op":"scale","factor":[1.5,0.5,-0.8],"child":)" BALL "}"},
+    {"mirror", R"({"op":"mirror","axes":"xz","child":)" BALL "}"},
+    {"repeat", R"({"op":"repeat","spacing":[1.2,0,1.4],"child":)" BRICK "}"},
+    {"repeat to a limit",
+     R"({"op":"repeat","spacing":[0.5,0.9,0],"limit":[1,0,0],"child":)" BALL "}"},
+    {"repeat of repeat", R"({"op":"repeat","spacing":[2,0,0],"child":{"op":"repeat",
         "spacing":[0,0.9,0],"limit":[0,1,0],"child":{"op":"rotate","rotate_deg":[0,0,30],
         "child":)" BRICK "}}}"},
-      {"repeat of repeat on all sides", R"({"op":"repeat","spacing":[2,2,2],"limit":[1,1,1],"child":
+    {"repeat of repeat on all sides", R"({"op":"repeat","spacing":[2,2,2],"limit":[1,1,1],"child":
         {"op":"repeat","spacing":[0.9,0.9,0.9],"limit":[1,1,1],"child":{"op":"rotate",
         "rotate_deg":[0,20,30],"child":)" BRICK "}}}"},
-      {"twist", R"({"op":"twist","rate":1.5,"child":)" BRICK "}"},
-      {"bend", R"({"op":"bend","rate":0.9,"child":)" BRICK "}"},
-      {"elongate", R"({"op":"elongate","half_size":[0.2,0.1,0],"child":)" BALL "}"},
-      {"union of slopes",
-       R"({"op":"union","children":[{"op":"twist","rate":2,"child":)" BRICK "}," BALL "]}"}};
-  return all;
-}
+    {"twist", R"({"op":"twist","rate":1.5,"child":)" BRICK "}"},
+    {"bend", R"({"op":"bend","rate":0.9,"child":)" BRICK "}"},
+    {"elongate", R"({"op":"elongate","half_size":[0.2,0.1,0],"child":)" BALL "}"},
+    {"union of slopes",
+     R"({"op":"union","children":[{"op":"twist","rate":2,"child":)" BRICK "}," BALL "]}"}};
 
 std::string scene_text(const std::string& root, const std::string& others = "") {
   return R"({"camera":{"position":[0,0,5],"look_at":[0,0,0]},
@@ -163,7 +159,7 @@ class Conformance : public testing::GlTest {};
 
 TEST(ConformanceCases, HaveEveryShapeAndOperator) {
   std::set<SdfOp> seen;
-  for (const Case& c : cases()) {
+  for (const Case& c : cases) {
     const Scene scene = scene_of(scene_text(c.root));
     for (const SdfNode& node : scene.sdfs[0].nodes) seen.insert(node.op);
   }
@@ -171,7 +167,7 @@ TEST(ConformanceCases, HaveEveryShapeAndOperator) {
 }
 
 TEST_F(Conformance, FieldsAreEqual) {
-  for (const Case& c : cases()) {
+  for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
     expect_same_field(scene_of(scene_text(c.root)));
   }

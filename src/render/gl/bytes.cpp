@@ -7,8 +7,8 @@ namespace {
 class Writer {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
   void value(const T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
     bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
   }
   template <class T>
@@ -29,8 +29,8 @@ class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}
   template <class T>
-    requires std::is_trivially_copyable_v<T>
   void value(T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
     take(&v, sizeof v);
   }
   template <class T>
