@@ -76,6 +76,19 @@ Vec3 in_box(Random& random, float half) {
   return {uniform(random, -half, half), uniform(random, -half, half), uniform(random, -half, half)};
 }
 
+/// A lamp amid the scene, on a triangle of its own plane.
+Light lamp_on_ceiling(Mesh& mesh) {
+  Light lamp;
+  lamp.type = LightType::disk, lamp.position = {0.1f, 0.2f, -0.1f}, lamp.radius = 0.1f;
+  lamp.normal = normalize(Vec3{0.3f, -1, 0.2f});
+  const Frame frame = frame_around(lamp.normal);
+  for (const Vec2& at : {Vec2{-0.4f, -0.3f}, Vec2{0.5f, -0.2f}, Vec2{0, 0.5f}}) {
+    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.positions.push_back(lamp.position + frame.u * at.x + frame.v * at.y);
+  }
+  return lamp;
+}
+
 /// Small triangles and spheres all over, and a light of each kind that has a place.
 Scene litter(Random& random) {
   Scene scene;
@@ -89,6 +102,7 @@ Scene litter(Random& random) {
       mesh.indices.push_back(3 * t + v);
     }
   }
+  const Light lamp = lamp_on_ceiling(mesh);
   scene.meshes.push_back(mesh);
   scene.instances.push_back({0, 0, 0, -1, {}});
   for (int i = 0; i < 40; ++i)
@@ -104,7 +118,7 @@ Scene litter(Random& random) {
   sun.angular_diameter = 0.1f;
   Light point;
   point.position = {0, 2, 0};
-  scene.lights = {sphere, inside, disk, sun, point};
+  scene.lights = {sphere, inside, disk, sun, point, lamp};
   return scene;
 }
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "shadow/light_points.h"
+
 namespace penumbra {
 namespace {
 
@@ -85,6 +87,33 @@ TEST(MeshLight, FindsEveryFaceThatIsTurnedToAPoint) {
     EXPECT_FLOAT_EQ(runs.back().area, sum.area);
   }
   EXPECT_GT(some, 200);
+}
+
+TEST(MeshLight, PointsFallOnTheTurnedFacesByArea) {
+  const Scene scene = lumpy_ball(20);
+  const LightViews lights(scene);
+  const MeshLight& light = lights.mesh_light(0);
+  constexpr int count = 4096;
+  const LightSamples samples(count, 3);
+  for (const Vec3& from : {Vec3{3, 0.5f, 1}, Vec3{-0.7f, 1.5f, 0.4f}}) {
+    std::vector<MeshLight::Run> runs;
+    const auto sum = light.seen_from(from, false, &runs);
+    ASSERT_GT(runs.size(), 3u);
+    const LightPoints points(lights, 0, from, 0);
+    Vec3d mean;
+    for (int i = 0; i < count; ++i) {
+      const float x = (static_cast<float>(i) + 0.5f) / count;
+      const auto at = points.on_face(x, 0.5f);
+      EXPECT_LT(dot(at.normal, at.to), 1e-4f) << x;
+    }
+    const SamplePattern pattern = samples.pattern(5);
+    for (int i = 0; i < count; ++i) {
+      const LightTarget target = points.target(pattern, i);
+      mean += Vec3d(from + target.direction * target.t_max) / count;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(mean[axis], sum.moment[axis] / sum.area, 0.01) << axis;
+  }
 }
 
 TEST(MeshLight, TakesAllWhereNoneIsTurned) {
