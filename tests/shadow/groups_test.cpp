@@ -130,7 +130,7 @@ std::vector<Receiver> clusters(Random& random, std::size_t count) {
     const Vec3 at = in_box(random, 1.2f);
     const Vec3 normal = normalize(in_box(random, 1) + Vec3{0, 1.2f, 0});
     const float size = std::exp(uniform(random, -8, 0));
-    const float lean = random() % 2 ? 0.0f : 0.5f;
+    const float lean = random() % 2 ? 0.0f : random() % 2 ? 0.5f : 2.0f;
     for (int i = 0; i < 50 && out.size() < count; ++i) {
       const Vec3 off = in_box(random, size);
       out.push_back(
@@ -170,6 +170,7 @@ TEST(Groups, PlacedMeshesAreSeenAsOneByOne) {
   for (const Receiver& r : receivers) {
     ConeQuery q;
     const Vec3 to = scene.lights[0].position - r.position;
+    if (dot(to, r.normal) <= 0) continue;  // below its horizon: nobody asks
     q.origin = r.position, q.horizon = r.normal, q.epsilon = 1e-6f;
     q.distance = length(to), q.direction = to / q.distance, q.outer = 0.6f / q.distance;
     queries.push_back(q), batch.push_back(q);
@@ -186,6 +187,39 @@ TEST(Groups, PlacedMeshesAreSeenAsOneByOne) {
     }
   }
   EXPECT_GT(found, 100);
+}
+
+/// A square of 0.6 m that faces down and shines, at a height.
+void add_lamp(Scene& scene, float height) {
+  Mesh mesh;
+  mesh.positions = {{-0.3f, 0, -0.3f}, {0.3f, 0, -0.3f}, {0.3f, 0, 0.3f}, {-0.3f, 0, 0.3f}};
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  for (Vec3& p : mesh.positions) p = p + Vec3{0, height, 0};
+  Light light;
+  light.type = LightType::mesh, light.instance = static_cast<int>(scene.instances.size());
+  scene.instances.push_back({static_cast<std::uint32_t>(scene.meshes.size()), 0, 0, -1, {}});
+  scene.meshes.push_back(mesh);
+  scene.lights.push_back(light);
+}
+
+TEST(Groups, OneLampStandsInTheLightOfAnother) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.objects = {{"lamps"}};
+  add_lamp(scene, 3), add_lamp(scene, 1.5f);
+  const World world(scene);
+  std::vector<Receiver> floor;
+  for (int i = 0; i < 1024; ++i)
+    floor.push_back(
+        {{0.05f * static_cast<float>(i % 32) - 0.8f, 0, 0.05f * static_cast<float>(i / 32) - 0.8f},
+         {0, 1, 0}});
+  const ShadowOptions parker = options_of(ShadowKind::parker);
+  EXPECT_LT(worst_difference(world, parker, floor, 0), 1e-5f);
+  EXPECT_LT(worst_difference(world, parker, floor, 1), 1e-5f);
+  const Shadows shadows(world, parker);
+  const auto behind = together(shadows, floor, 0), before = together(shadows, floor, 1);
+  EXPECT_EQ(behind[16 * 32 + 14].fraction, 0);
+  for (const Visibility& v : before) EXPECT_EQ(v.fraction, 1);
 }
 
 TEST(Groups, NothingIsLookedAtTwiceForAnEmptyPartOfTheScene) {
