@@ -19,7 +19,8 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"geometry", {"base", "image", "scene", "sdf"}},
       {"shadow", {"base", "image", "scene", "sdf", "geometry"}},
       {"render", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow"}},
-      {"apps", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render"}},
+      {"bake", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render"}},
+      {"apps", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render", "bake"}},
   };
   return rooms;
 }

@@ -1,0 +1,45 @@
+// What is baked: one side of some triangles, laid out in texels.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace penumbra::bake {
+
+/// A planar chart: connected coplanar triangles of one instance, seen from one side, and the
+/// parallelogram fitted round them (Heckbert and Herf 1997, section 3.2). World frame, metres.
+/// Texel (i, j) is centred at base + (i + ½) / width · edge_x + (j + ½) / height · edge_y; texels
+/// are kept row by row, j = 0 first.
+struct PlanarChart {
+  std::uint32_t instance = 0;            ///< into Scene::instances
+  std::vector<std::uint32_t> triangles;  ///< of the instance's mesh
+  bool back = false;                     ///< the side from which the triangles wind clockwise
+  Vec3 base, edge_x, edge_y;
+  Vec3 normal;  ///< unit, of the side that is lit
+  int width = 0, height = 0;
+
+  Vec3 texel(float i, float j) const;  ///< centre of texel (i, j)
+};
+
+/// A texel of a chart that is not flat, or a vertex.
+struct SurfacePoint {
+  Vec3 position;        ///< on the triangle
+  Vec3 normal;          ///< unit, of the triangle, on the lit side
+  Vec3 shading_normal;  ///< unit; equal to normal on flat shaded meshes
+  std::uint32_t instance = 0, triangle = 0;
+};
+
+/// Gives the direct irradiance that reaches surfaces, shadowed, W/m² per channel (linear RGB).
+/// Thread-safe.
+class Irradiance {
+ public:
+  virtual ~Irradiance() = default;
+  /// At every texel of the chart, also those outside its triangles: out has width · height.
+  virtual void of_chart(const PlanarChart& chart, std::span<Vec3> out) const = 0;
+  virtual void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const = 0;
+};
+
+}  // namespace penumbra::bake
