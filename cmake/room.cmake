@@ -30,3 +30,13 @@ function(penumbra_room name)
   target_link_libraries(penumbra_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
   penumbra_compile_options(penumbra_${name})
 endfunction()
+
+# For sources whose structs of vectors are copied in hot loops. GCC copies structs in halves of
+# AVX's vectors, and a whole vector read back from two halves waits for both stores to end.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256" PENUMBRA_HAS_MOVE_MAX)
+function(penumbra_copy_whole_vectors)
+  if(PENUMBRA_HAS_MOVE_MAX)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -mmove-max=256 -mstore-max=256)
+  endif()
+endfunction()

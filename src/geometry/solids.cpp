@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "geometry/embree_scene.h"
+#include "geometry/solid_hits.h"
 #include "geometry/world.h"
 #include "scene/extent.h"
 #include "sdf/march.h"
+#include "sdf/met_surface.h"
 
 namespace penumbra {
 namespace {
@@ -30,20 +32,6 @@ sdf::MarchRay march_ray(const sdf::Field& field, const Bounds& extent, const Vec
   const float far = field.is_bounded() ? exit_of(field.bounds(), origin, direction)
                                        : sight_in_diagonals * extent.diagonal();
   return {origin, 0, direction, std::min(t_max, far)};
-}
-
-// Of the side that each ray met. Differences near an edge reach round it, to a side that faces
-// away; a little before the surface, by four times their width, they do not.
-void normals_met(const sdf::Field& field, std::span<const Vec3> points,
-                 std::span<const Vec3> directions, std::span<Vec3> normals) {
-  field.normal(points, normals);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (dot(normals[i], directions[i]) < 0) continue;
-    const Vec3 before = points[i] - directions[i] * (4 * sdf::Field::normal_step(points[i]));
-    Vec3 normal;
-    field.normal(std::span(&before, 1), std::span(&normal, 1));
-    if (dot(normal, directions[i]) < 0) normals[i] = normal;
-  }
 }
 
 std::uint64_t count_lost(std::span<const sdf::MarchHit> hits) {
@@ -119,46 +107,59 @@ std::uint64_t World::march(std::span<const Ray> rays, std::optional<Hit>* hits) 
   return lost;
 }
 
-// Points of a march go back onto the surface: the ray's t carries the error of its whole length.
-// Where fields blend or are divided by their slope they grow slower than the way, inside perhaps
-// slower than outside (an ellipsoid's bound), so the slope is taken on the point's own side. 64
-// errors make a difference that rounding does not spoil.
 void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
                            std::span<const std::uint32_t> which, std::span<Surface> out) const {
-  thread_local std::vector<Vec3> points, directions, normals, aside;
-  thread_local std::vector<float> here, there;
+  thread_local std::vector<sdf::MeetingPoint> met;
+  thread_local std::vector<Vec3> positions, normals;
   thread_local std::vector<sdf::Field::Owner> owners;
-  const std::size_t n = which.size();
-  points.resize(n), directions.resize(n), normals.resize(n), aside.resize(n);
-  here.resize(n), there.resize(n), owners.resize(n);
-  const auto way = [&](std::size_t i) { return 64 * epsilon_at(points[i]); };
-  for (std::size_t i = 0; i < n; ++i) {
-    directions[i] = rays[which[i]].direction;
-    points[i] = rays[which[i]].origin + directions[i] * hits[which[i]].t;
-  }
-  normals_met(*solids_, points, directions, normals);
-  solids_->distance(points, here);
-  for (std::size_t i = 0; i < n; ++i)
-    aside[i] = points[i] + normals[i] * (here[i] < 0 ? -way(i) : way(i));
-  solids_->distance(aside, there);
-  for (std::size_t i = 0; i < n; ++i) {
-    const float rise = std::abs(there[i]) - std::abs(here[i]);
-    points[i] = points[i] - normals[i] * (here[i] / std::clamp(rise / way(i), 0.1f, 1.0f));
-  }
-  solids_->owners(points, owners);
-  for (std::size_t i = 0; i < n; ++i) {
+  met.clear();
+  for (const std::uint32_t i : which)
+    met.push_back({rays[i].origin + rays[i].direction * hits[i].t, rays[i].direction});
+  positions.resize(met.size()), normals.resize(met.size()), owners.resize(met.size());
+  sdf::surfaces(*solids_, met, point_error(), positions, normals);
+  solids_->owners(positions, owners);
+  for (std::size_t i = 0; i < which.size(); ++i) {
     Surface& s = out[which[i]];
     s = {};
-    s.position = s.smooth_position = points[i];
-    s.front = dot(normals[i], rays[which[i]].direction) < 0;
+    s.position = s.smooth_position = positions[i];
+    s.front = dot(normals[i], met[i].direction) < 0;
     s.normal = s.shading_normal = s.front ? normals[i] : -normals[i];
     s.object = owners[i].object, s.material = owners[i].material;
     s.primitive = hits[which[i]].primitive;
     if (!owners[i].blended) continue;
-    const sdf::SurfaceAt at = solids_->surface(points[i]);
+    const sdf::SurfaceAt at = solids_->surface(positions[i]);
     for (const auto& part : at.parts) s.blend.push_back({part.material, part.weight});
     if (!at.parts.empty()) s.material = at.parts.front().material;
   }
+}
+
+std::uint64_t World::meet_solids(std::span<const Ray> rays, SolidHits& hits) const {
+  std::array<sdf::MarchRay, rays_at_once> marches;
+  std::array<sdf::MarchHit, rays_at_once> found;
+  thread_local std::vector<sdf::MeetingPoint> met;
+  std::uint64_t lost = 0;
+  hits.ray.clear(), met.clear();
+  for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
+    const std::size_t count = std::min(rays_at_once, rays.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ray& ray = rays[first + i];
+      marches[i] = march_ray(*solids_, extent_, ray.origin, ray.direction, ray.t_max);
+    }
+    start_later(*solids_, std::span(marches.data(), count));
+    sdf::trace(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
+               {most_steps});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!found[i].hit) continue;
+      const Ray& ray = rays[first + i];
+      hits.ray.push_back(static_cast<std::uint32_t>(first + i));
+      met.push_back({ray.origin + ray.direction * found[i].t, ray.direction});
+    }
+    lost += count_lost({found.data(), count});
+  }
+  hits.position.resize(met.size()), hits.normal.resize(met.size()), hits.owner.resize(met.size());
+  sdf::surfaces(*solids_, met, point_error(), hits.position, hits.normal);
+  solids_->owners(hits.position, hits.owner);
+  return lost;
 }
 
 bool World::is_inside(const Vec3& p) const { return solids_ && solids_->distance(p) < 0; }

@@ -7,6 +7,7 @@
 #include "scene/extent.h"
 #include "sdf/field.h"
 #include "sdf/mesher.h"
+#include "sdf/met_surface.h"
 
 namespace penumbra {
 
@@ -87,6 +88,8 @@ float World::epsilon_at(const Vec3& p) const {
   // vertices around it still have the scene's magnitude, a sixteenth of which counts.
   return roundings() * std::max(max_component(abs(p)), extent_.diagonal() / 16);
 }
+
+sdf::PointError World::point_error() const { return {roundings(), extent_.diagonal() / 16}; }
 
 float World::clearance_epsilon_at(const Vec3& p) const { return std::max(epsilon_at(p), sagitta_); }
 

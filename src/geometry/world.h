@@ -44,9 +44,11 @@ struct Surface {
 
 class ConeTree;
 class EmbreeScene;
+struct SolidHits;
 namespace sdf {
 class Field;
-}
+struct PointError;
+}  // namespace sdf
 
 /// What queries will be asked.
 struct WorldOptions {
@@ -100,6 +102,14 @@ class World {
   const ConeTree& cone_tree() const { return *cone_tree_; }
   /// True if there are distance-field objects.
   bool has_solids() const { return solids_ != nullptr; }
+  /// True if there is nothing else.
+  bool has_only_solids() const {
+    return has_solids() && scene_.instances.empty() && scene_.spheres.empty();
+  }
+  /// intersect() and surfaces() for such a world, to the same bits. Returns as intersect() does.
+  std::uint64_t meet_solids(std::span<const Ray> rays, SolidHits& hits) const;
+  /// Distances to the distance-field objects, if there are any.
+  const sdf::Field& solids() const { return *solids_; }
   /// True for a point inside a distance-field object.
   bool is_inside(const Vec3& p) const;
   bool has_field() const { return field_ != nullptr; }
@@ -111,6 +121,7 @@ class World {
   std::size_t memory_bytes() const;
 
  private:
+  sdf::PointError point_error() const;
   /// What distance fields add to the hits known so far.
   std::uint64_t march(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   bool is_solid(const Hit& hit) const {

@@ -27,10 +27,4 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
             step_y_ * (-0.5f * static_cast<float>(height));
 }
 
-CameraRay CameraRays::at(float x, float y) const {
-  const Vec3 aside = corner_ + step_x_ * x + step_y_ * y;
-  if (orthographic_) return {{origin_ + aside, forward_}, pixel_, 0};
-  return {{origin_, normalize(forward_ + aside)}, 0, pixel_};
-}
-
 }  // namespace penumbra

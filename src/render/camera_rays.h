@@ -21,7 +21,11 @@ class CameraRays {
 
   /// The ray through (x, y) in pixels from the picture's top left corner; pixel (i, j) covers
   /// [i, i + 1) × [j, j + 1). An orthographic ray starts in the plane of the camera's position.
-  CameraRay at(float x, float y) const;
+  CameraRay at(float x, float y) const {
+    const Vec3 aside = corner_ + step_x_ * x + step_y_ * y;
+    if (orthographic_) return {{origin_ + aside, forward_}, pixel_, 0};
+    return {{origin_, normalize(forward_ + aside)}, 0, pixel_};
+  }
 
   // For shaders: the ray through (x, y) has aside = corner + step_x · x + step_y · y; it goes from
   // origin along forward + aside, an orthographic one from origin + aside along forward.

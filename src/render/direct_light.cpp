@@ -126,7 +126,7 @@ float DirectLight::irradiance(std::size_t light, const Vec3& position, const Vec
       return spot_part(s, to / d) * std::max(0.0f, dot(normal, to)) / (d2 * d);
     }
     case LightType::sphere:
-      return spot_part(s, direction_or(to, normal)) *
+      return (s.spot_scale > 0 ? spot_part(s, direction_or(to, normal)) : 1.0f) *
              sphere_irradiance(to, s.radius, normal, horizon);
     case LightType::sun: {
       const float cos_centre = dot(normal, s.normal);

@@ -46,7 +46,7 @@ class DirectLight {
     float sin2 = 0;                         ///< sun: squared sine of half its angular diameter
     float per_radiance = 1;                 ///< sun: radiance per unit irradiance
     float spot_scale = 0, spot_offset = 1;  ///< point, sphere: cosine → [0, 1] between outer and
-                                            ///< inner cone
+                                            ///< inner cone; no cone: 0 and 1
     std::array<Vec3, 4> corners;            ///< rect; segment: its ends in the first two
     float stretch = 1;                      ///< a patch's squared length over its area
     bool double_sided = false;              ///< mesh

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "render/exposure.h"
+#include "render/field_tile.h"
 #include "render/tile_renderer.h"
 
 namespace penumbra {
@@ -74,10 +75,13 @@ void render_tiles(const RenderSetup& setup, RenderResult& result, Progress& prog
   const Tiling tiling(setup.options.width, setup.options.height);
   std::mutex mutex;
   std::uint64_t blind_rays = 0;
+  const std::optional<FieldTiles> field = FieldTiles::of(setup);
   progress.start("render", tiling.count());
   parallel_for(tiling.count(), [&](std::size_t i) {
     thread_local TileScratch scratch;
-    const TileCounts counts = render_tile(setup, tiling.tile(i), scratch, result);
+    const Tile tile = tiling.tile(i);
+    const TileCounts counts =
+        field ? field->render(setup, tile, result) : render_tile(setup, tile, scratch, result);
     {
       const std::lock_guard lock(mutex);
       result.stats.primary_rays += counts.primary_rays;

@@ -3,19 +3,12 @@
 #include "render/hash.h"
 #include "render/pixel_samples.h"
 #include "render/tile_aovs.h"
+#include "render/tile_order.h"
 
 namespace penumbra {
 namespace {
 
 constexpr float least_throughput = 1.0f / 500;
-
-/// Every other bit of a Morton code, from bit 0.
-constexpr int half_of_code(unsigned code) {
-  int out = 0;
-  for (int bit = 0; bit < 5; ++bit) out |= static_cast<int>(code >> (2 * bit) & 1u) << bit;
-  return out;
-}
-static_assert(Tile::size == 32 && half_of_code(0x3ff) == 31);
 
 /// Sample `sample` of pixels of the tile, those of [first, first + count) in Morton's order so that
 /// neighbours stay together. Pixels are numbered over the whole picture, so that tiles leave no
@@ -31,7 +24,7 @@ std::uint64_t primary_rays(const RenderSetup& setup, const Tile& tile, int sampl
   std::uint64_t blind = 0;
   rays.clear();
   for (unsigned code = first; code < first + count; ++code) {
-    const int x = tile.x0 + half_of_code(code), y = tile.y0 + half_of_code(code >> 1);
+    const int x = tile.x0 + tile_order[code].x, y = tile.y0 + tile_order[code].y;
     if (x >= tile.x1 || y >= tile.y1) continue;
     const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(o.width) +
                         static_cast<std::uint64_t>(x);
@@ -178,7 +171,8 @@ TileCounts render_tile(const RenderSetup& setup, const Tile& tile, TileScratch& 
   PixelSums sums(tile, o.spp, result.color);
   constexpr unsigned all = Tile::size * Tile::size;
   // Marches share nothing: a quarter of the tile's points at a time stay near the processor.
-  const unsigned at_once = setup.shadows.marches_field() ? all / 4 : all;
+  const bool small_parts = setup.shadows.marches_field() || setup.world.has_only_solids();
+  const unsigned at_once = small_parts ? all / 4 : all;
   for (unsigned part = 0; part < static_cast<unsigned>(o.spp) * (all / at_once); ++part) {
     const auto sample = static_cast<int>(part / (all / at_once));
     counts.blind_rays +=

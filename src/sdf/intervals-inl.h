@@ -7,6 +7,7 @@
 #define PENUMBRA_SDF_INTERVALS_INL_H
 #endif
 
+#include <array>
 #include <vector>
 
 #include "sdf/interpret-inl.h"
@@ -27,7 +28,7 @@ struct IntervalMachine {
   F radius, slack;
   Ranges* out;
   F doubt;  ///< added to every reach; large where a cell spans two copies of a repetition
-  std::vector<F> outer_doubt;
+  std::vector<std::array<float, lanes>> outer_doubt;  ///< by slot
 
   HWY_INLINE IntervalMachine(const F& r, const F& s, Ranges* to)
       : radius(r), slack(s), out(to), doubt(0.0f) {}
@@ -72,7 +73,7 @@ struct IntervalMachine {
   void enter(const Tape& tape, Word w, const float* record, const P& p) {
     const Header& header = *reinterpret_cast<const Header*>(record);
     if (outer_doubt.size() <= header.slot) outer_doubt.resize(header.slot + std::size_t{1});
-    outer_doubt[header.slot] = doubt;
+    store(doubt, outer_doubt[header.slot].data());
     if (header.op != Op::nearest_copy) return;
     const float* c = record + 4;
     const P q = from(p, c);
@@ -86,7 +87,7 @@ struct IntervalMachine {
       doubt = select(first < last, 1e30f, doubt);
     }
   }
-  void leave(std::uint32_t slot) { doubt = outer_doubt[slot]; }
+  void leave(std::uint32_t slot) { doubt = load(outer_doubt[slot].data()); }
 };
 
 }  // namespace penumbra::sdf::HWY_NAMESPACE

@@ -9,6 +9,7 @@
 #include "sdf/intervals-inl.h"
 #include "sdf/march-inl.h"
 #include "sdf/owners-inl.h"
+#include "sdf/surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::sdf::HWY_NAMESPACE {
@@ -34,33 +35,29 @@ void distances_of(const FieldData& field, const float* x, const float* y, const 
   }
 }
 
-// Quilez, "normals for an SDF": four points of a tetrahedron.
 void normals_of(const FieldData& field, const Points& points, const float* step, std::size_t count,
                 Points& out) {
-  constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
   Sampler sampler(field);
   for (std::size_t i = 0; i < count; i += lanes) {
     const std::size_t n = std::min<std::size_t>(lanes, count - i);
-    const P p = points_at(&points.x[i], &points.y[i], &points.z[i], n);
-    HWY_ALIGN float steps[lanes];
+    HWY_ALIGN float steps[lanes], normal[3][lanes];
     for (std::size_t l = 0; l < lanes; ++l) steps[l] = step[i + std::min(l, n - 1)];
-    const F e = load(steps);
-    F d[4], most = 1e30f;
-    for (int k = 0; k < 4; ++k) {
-      const P q{mad(e, signs[k][0], p.x), mad(e, signs[k][1], p.y), mad(e, signs[k][2], p.z)};
-      d[k] = sampler.distance(q, all_lanes, most);
-      most = most_after(field, d[k], e * 2.83f, q);
-    }
-    const F x = (d[0] - d[1]) + (d[3] - d[2]), y = (d[2] - d[0]) + (d[3] - d[1]),
-            z = (d[1] - d[0]) + (d[3] - d[2]);
-    const F size = length(x, y, z);
-    const M known = size > F(0.0f);
-    HWY_ALIGN float normal[3][lanes];
-    store(select(known, x / size, 0.0f), normal[0]);
-    store(select(known, y / size, 1.0f), normal[1]);
-    store(select(known, z / size, 0.0f), normal[2]);
+    const P found = normal_at(sampler, field,
+                              points_at(&points.x[i], &points.y[i], &points.z[i], n), load(steps));
+    store(found.x, normal[0]), store(found.y, normal[1]), store(found.z, normal[2]);
     std::copy_n(normal[0], n, &out.x[i]), std::copy_n(normal[1], n, &out.y[i]);
     std::copy_n(normal[2], n, &out.z[i]);
+  }
+}
+
+void surfaces_of(const FieldData& field, const MeetingPoint* met, std::size_t count,
+                 const PointError& error, Vec3* positions, Vec3* normals) {
+  Sampler sampler(field);
+  for (std::size_t i = 0; i < count; i += lanes) {
+    SurfaceLanes surface(met + i, std::min<std::size_t>(lanes, count - i));
+    surface.find_normals(sampler, field);
+    surface.put_onto_surface(sampler, field, error);
+    surface.write(positions + i, normals + i);
   }
 }
 
@@ -159,6 +156,7 @@ namespace penumbra::sdf {
 
 HWY_EXPORT(distances_of);
 HWY_EXPORT(normals_of);
+HWY_EXPORT(surfaces_of);
 HWY_EXPORT(ranges_of);
 HWY_EXPORT(owners_of);
 HWY_EXPORT(trace_rays);
@@ -173,6 +171,11 @@ void distances(const FieldData& field, const float* x, const float* y, const flo
 void normals(const FieldData& field, const Points& points, const float* step, std::size_t count,
              Points& out) {
   HWY_DYNAMIC_DISPATCH(normals_of)(field, points, step, count, out);
+}
+void surfaces(const Field& field, std::span<const MeetingPoint> met, const PointError& error,
+              std::span<Vec3> positions, std::span<Vec3> normals) {
+  HWY_DYNAMIC_DISPATCH(surfaces_of)
+  (field.data(), met.data(), met.size(), error, positions.data(), normals.data());
 }
 void owners(const FieldData& field, const float* x, const float* y, const float* z,
             std::size_t count, std::uint32_t* surface, std::uint8_t* blended) {

@@ -75,9 +75,10 @@ class Sampler {
   };
 
   HWY_INLINE void find(const P& p, std::uint32_t active, Groups& groups) const {
-    HWY_ALIGN std::int32_t cell[lanes];
+    Cells cell;
     const std::uint32_t inner = bits(cells_of(regions_.inner, p, cell)) & active;
-    std::uint32_t bricks = group(cell, inner, groups);
+    std::uint32_t bricks = 0;
+    if (HWY_LIKELY(inner != 0)) bricks = group(cell, inner, groups);
     if (HWY_UNLIKELY(inner != active)) {
       cells_of(regions_.outer, p, cell);
       bricks |= group(cell, active & ~inner, groups);
@@ -111,45 +112,55 @@ class Sampler {
     if (words > many_words) groups.count = 1, groups.code[0] = 0;
   }
 
-  // Adds the lanes by cell; gives those whose cell is a brick.
-  HWY_INLINE std::uint32_t group(const std::int32_t* cell, std::uint32_t left,
-                                 Groups& groups) const {
-    std::uint32_t bricks = 0;
-    while (left) {
-      const std::int32_t first = cell[std::countr_zero(left)];
-      const std::uint32_t here = same(cell, first) & left;
-      const std::uint32_t number = regions_.cells[static_cast<std::size_t>(first)];
-      if (number & Regions::brick_bit)
-        bricks |= here;
-      else
-        groups.add(number, here);
-      left &= ~here;
+  using DI = hn::RebindToSigned<D>;
+  struct Cells {
+    hn::Vec<DI> v[vectors];
+  };
+
+  // Adds the lanes by the code of their cell; gives those whose cell is a brick.
+  HWY_INLINE std::uint32_t group(const Cells& cell, std::uint32_t left, Groups& groups) const {
+    const DI d;
+    const auto* entries = reinterpret_cast<const std::int32_t*>(regions_.cells.data());
+    HWY_ALIGN std::int32_t numbers[lanes];
+    Cells code;
+    for (int i = 0; i < vectors; ++i) {
+      code.v[i] = hn::GatherIndex(d, entries, cell.v[i]);
+      hn::Store(code.v[i], d, numbers + i * vector_lanes);
     }
-    return bricks;
+    std::uint32_t bricks = 0;
+    while (true) {
+      const std::int32_t first = numbers[std::countr_zero(left)];
+      const std::uint32_t here = same(code, first) & left;
+      if (first < 0)
+        bricks |= negative(code) & left, left &= ~bricks;
+      else
+        groups.add(static_cast<std::uint32_t>(first), here), left &= ~here;
+      if (HWY_LIKELY(left == 0)) return bricks;
+    }
   }
 
-  static HWY_INLINE std::uint32_t same(const std::int32_t* cell, std::int32_t value) {
-    const hn::RebindToSigned<D> d;
-    std::uint32_t r = 0;
-    for (int i = 0; i < vectors; ++i) {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(d, hn::Eq(hn::Load(d, cell + i * vector_lanes), hn::Set(d, value)), bytes);
-      r |= (bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8) << (i * vector_lanes);
-    }
-    return r;
+  static HWY_INLINE std::uint32_t same(const Cells& cell, std::int32_t value) {
+    M m;
+    for (int i = 0; i < vectors; ++i)
+      m.v[i] = hn::RebindMask(D(), hn::Eq(cell.v[i], hn::Set(DI(), value)));
+    return bits(m);
+  }
+  static HWY_INLINE std::uint32_t negative(const Cells& cell) {
+    M m;
+    for (int i = 0; i < vectors; ++i)
+      m.v[i] = hn::RebindMask(D(), hn::Lt(cell.v[i], hn::Zero(DI())));
+    return bits(m);
   }
 
   // Index of each point's cell, 0 (the whole code) outside; the mask says which are inside.
-  HWY_INLINE M cells_of(const RegionGrid& g, const P& p, std::int32_t* cell) const {
+  HWY_INLINE M cells_of(const RegionGrid& g, const P& p, Cells& cell) const {
     const F x = floor((p.x - g.lo.x) * g.inverse), y = floor((p.y - g.lo.y) * g.inverse),
             z = floor((p.z - g.lo.z) * g.inverse);
     const auto nx = static_cast<float>(g.count[0]), ny = static_cast<float>(g.count[1]),
                nz = static_cast<float>(g.count[2]);
     const M in = (min(x, min(y, z)) >= F(0.0f)) & (x < F(nx)) & (y < F(ny)) & (z < F(nz));
     const F index = select(in, mad(mad(z, ny, y), nx, x + static_cast<float>(g.first)), 0.0f);
-    const hn::RebindToSigned<D> di;
-    for (int i = 0; i < vectors; ++i)
-      hn::Store(hn::ConvertTo(di, index.v[i]), di, cell + i * vector_lanes);
+    for (int i = 0; i < vectors; ++i) cell.v[i] = hn::ConvertTo(DI(), index.v[i]);
     return in;
   }
 
