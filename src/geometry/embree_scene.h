@@ -23,6 +23,14 @@ struct ShadowRay {
   float t_max = INFINITY;
 };
 
+/// Ray i of a packet.
+inline ShadowRay ray_of(const RTCRay8& rays, std::size_t i) {
+  return {{rays.org_x[i], rays.org_y[i], rays.org_z[i]},
+          {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]},
+          rays.tnear[i],
+          rays.tfar[i]};
+}
+
 /// Owns Embree's device and scenes. Immutable once built; queries are thread-safe.
 class EmbreeScene {
  public:

@@ -165,35 +165,45 @@ std::uint64_t World::meet_solids(std::span<const Ray> rays, SolidHits& hits) con
 bool World::is_inside(const Vec3& p) const { return solids_ && solids_->distance(p) < 0; }
 
 bool World::occluded(const ShadowRay& ray, int excluded, std::uint64_t* lost) const {
-  if (embree_->occluded(ray, excluded)) return true;
-  if (!solids_) return false;
-  sdf::MarchRay march = march_ray(*solids_, extent_, ray.origin, ray.direction, ray.t_max);
-  march.t_min = ray.t_min;
-  sdf::MarchHit hit;
-  sdf::occluded(*solids_, std::span(&march, 1), std::span(&hit, 1), {most_steps});
-  if (lost) *lost += hit.out_of_steps;
-  return hit.hit || hit.out_of_steps;
+  bool blocked = embree_->occluded(ray, excluded);
+  if (!blocked && solids_) add_blocked_by_solids({&ray, 1}, {&blocked, 1}, lost);
+  return blocked;
+}
+
+void World::add_blocked_by_solids(std::span<const ShadowRay> rays, std::span<bool> blocked,
+                                  std::uint64_t* lost) const {
+  std::array<sdf::MarchRay, rays_at_once> marches;
+  std::array<sdf::MarchHit, rays_at_once> found;
+  for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
+    const std::size_t count = std::min(rays_at_once, rays.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ShadowRay& ray = rays[first + i];
+      marches[i] = march_ray(*solids_, extent_, ray.origin, ray.direction, ray.t_max);
+      marches[i].t_min = ray.t_min;
+    }
+    sdf::occluded(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
+                  {most_steps});
+    for (std::size_t i = 0; i < count; ++i)
+      blocked[first + i] = blocked[first + i] || found[i].hit || found[i].out_of_steps;
+    if (lost) *lost += count_lost({found.data(), count});
+  }
 }
 
 void World::occluded(const int* valid, RTCRay8& rays, int excluded, std::uint64_t* lost) const {
   embree_->occluded(valid, rays, excluded);
   if (!solids_) return;
-  std::array<sdf::MarchRay, 8> marches;
-  std::array<sdf::MarchHit, 8> found;
+  std::array<ShadowRay, 8> asked;
+  std::array<bool, 8> blocked{};
   std::array<std::size_t, 8> lane{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < 8; ++i) {
     if (valid[i] == 0 || rays.tfar[i] < 0) continue;
-    marches[count] = march_ray(*solids_, extent_, {rays.org_x[i], rays.org_y[i], rays.org_z[i]},
-                               {rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]}, rays.tfar[i]);
-    marches[count].t_min = rays.tnear[i];
+    asked[count] = ray_of(rays, i);
     lane[count++] = i;
   }
-  sdf::occluded(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
-                {most_steps});
+  add_blocked_by_solids(std::span(asked.data(), count), std::span(blocked.data(), count), lost);
   for (std::size_t i = 0; i < count; ++i)
-    if (found[i].hit || found[i].out_of_steps) rays.tfar[lane[i]] = -INFINITY;
-  if (lost) *lost += count_lost({found.data(), count});
+    if (blocked[i]) rays.tfar[lane[i]] = -INFINITY;
 }
 
 }  // namespace penumbra

@@ -89,6 +89,11 @@ class World {
   void occluded(const int* valid, RTCRay8& rays, int excluded = -1,
                 std::uint64_t* lost = nullptr) const;
 
+  /// What distance-field objects add to that, for many rays at once, which pays where they go much
+  /// the same way: `blocked` of those that meet one becomes true. Two spans of one size.
+  void add_blocked_by_solids(std::span<const ShadowRay> rays, std::span<bool> blocked,
+                             std::uint64_t* lost = nullptr) const;
+
   /// How far from its true place a computed point near p may be, by floating-point error of
   /// coordinates of that size, metres. Whatever is nearer to a tangent plane lies on it.
   float epsilon_at(const Vec3& p) const;

@@ -8,6 +8,12 @@
 #include "shadow/shadows.h"
 
 namespace penumbra {
+namespace {
+
+/// What belongs to so many receivers stays in the nearest cache.
+constexpr std::size_t block = 256;
+
+}  // namespace
 
 void Shadows::visibilities(std::span<const Receiver> receivers, std::size_t light,
                            std::span<const std::uint64_t> streams, std::span<Visibility> out,
@@ -88,8 +94,6 @@ void Shadows::hard_packets(std::span<const Receiver> receivers, std::size_t ligh
   }
   const CentreLight centre = centre_light(source);
   std::fill(out.begin(), out.end(), Visibility{0, 0});
-  // What belongs to so many stays in the nearest cache.
-  constexpr std::size_t block = 256;
   for (std::size_t first = 0; first < receivers.size(); first += block) {
     const std::size_t count = std::min(block, receivers.size() - first);
     trace_centre(receivers.subspan(first, count), centre, out.subspan(first, count), counts);
@@ -104,14 +108,29 @@ void Shadows::trace_centre(std::span<const Receiver> receivers, const CentreLigh
   RTCRay8 rays{};
   std::fill_n(rays.mask, 8, 0xffffffffu);
   alignas(32) std::array<int, 8> valid;
+  // Marches fill their lanes again from all that there are: what Embree leaves goes together.
+  std::array<ShadowRay, block> left;
+  std::array<std::uint32_t, block> lit;
+  std::size_t left_count = 0;
   for (std::size_t first = 0; first < queries.size(); first += 8) {
     write_centre_rays(queries, first, rays, valid.data());
-    world_.occluded(valid.data(), rays, -1, &counts.unfinished_rays);
+    world_.embree().occluded(valid.data(), rays);
     const std::size_t count = std::min<std::size_t>(8, queries.size() - first);
-    for (std::size_t i = 0; i < count; ++i)
-      out[which[first + i]].fraction = rays.tfar[i] >= 0 ? 1.0f : 0.0f;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_lit = rays.tfar[i] >= 0;
+      out[which[first + i]].fraction = is_lit ? 1.0f : 0.0f;
+      if (!is_lit || !world_.has_solids()) continue;
+      lit[left_count] = which[first + i];
+      left[left_count++] = ray_of(rays, i);
+    }
   }
   counts.rays += queries.size();
+  if (left_count == 0) return;
+  std::array<bool, block> blocked{};
+  world_.add_blocked_by_solids(std::span(left.data(), left_count),
+                               std::span(blocked.data(), left_count), &counts.unfinished_rays);
+  for (std::size_t i = 0; i < left_count; ++i)
+    if (blocked[i]) out[lit[i]].fraction = 0;
 }
 
 }  // namespace penumbra
