@@ -43,8 +43,8 @@ std::vector<Tenants> tenants_of(std::span<const CutChart> charts) {
     return std::pair(charts[i].shape.width, charts[i].shape.height);
   });
   for (std::size_t k = 0; k < halves.size(); ++k) {
-    const bool shared = k + 1 < halves.size() &&
-                        pays(block_of(charts[halves[k]]), block_of(charts[halves[k + 1]]));
+    const bool shared =
+        k + 1 < halves.size() && pays(block_of(charts[halves[k]]), block_of(charts[halves[k + 1]]));
     tenants.push_back({halves[k], shared ? halves[k + 1] : no_chart});
     if (shared) ++k;
   }
@@ -76,7 +76,9 @@ PlacedCharts place_charts(std::span<const CutChart> charts, bool power_of_two) {
     placed.places[tenants[i].first] = {page, x, y, false};
     if (tenants[i].second != no_chart)
       placed.places[tenants[i].second] = {page, x + width - 1, y + height - 1, true};
-    const auto side = [](int n) { return (n + 2 * gutter + alignment - 1) / alignment * alignment; };
+    const auto side = [](int n) {
+      return (n + 2 * gutter + alignment - 1) / alignment * alignment;
+    };
     placed.areas.push_back({page, x - gutter, y - gutter, side(width), side(height)});
   }
   return placed;

@@ -26,9 +26,9 @@ class Cutter {
         remarks_(remarks) {}
 
   std::vector<CutChart> cut() {
-    TriangleList curved;
+    TriangleIds curved;
     std::vector<bool> planar(mesh_.triangle_count());
-    for (const TriangleList& part : coplanar_parts(mesh_, adjacency_)) {
+    for (const TriangleIds& part : coplanar_parts(mesh_, adjacency_)) {
       if (is_facet(part)) continue;
       for (const std::uint32_t t : part) planar[t] = true;
       add(part, mesh_.normal(part.front()), true);
@@ -42,7 +42,7 @@ class Cutter {
   }
 
  private:
-  bool is_facet(const TriangleList& part) const {
+  bool is_facet(const TriangleIds& part) const {
     float area = 0;
     for (const std::uint32_t t : part) area += mesh_.area(t);
     if (area >= facet_texels * options_.texel_size * options_.texel_size) return false;
@@ -56,10 +56,10 @@ class Cutter {
   }
 
   /// Curved charts that overlap leave what lies on top to further charts.
-  void add(TriangleList triangles, const Vec3& front, bool flat) {
+  void add(TriangleIds triangles, const Vec3& front, bool flat) {
     while (!triangles.empty()) {
       CutChart chart = fitted(triangles, front, flat);
-      TriangleList over;
+      TriangleIds over;
       if (!flat) over = overlapping(chart.shape, mesh_);
       if (over.size() >= triangles.size()) over.clear();
       if (!over.empty()) {
@@ -73,7 +73,7 @@ class Cutter {
     }
   }
 
-  CutChart fitted(const TriangleList& triangles, const Vec3& front, bool flat) {
+  CutChart fitted(const TriangleIds& triangles, const Vec3& front, bool flat) {
     CutChart chart;
     chart.flat = flat;
     PlanarChart& shape = chart.shape;
@@ -100,7 +100,7 @@ class Cutter {
   }
 
   /// That of the base-colour texture where this is finer, as far as allowed.
-  float texel_size(const TriangleList& triangles) {
+  float texel_size(const TriangleIds& triangles) {
     const Material& material = scene_.materials[mesh_.instance().material];
     const TextureSlot& slot = material.diffuse_map;
     if (!slot.used() || mesh_.mesh().uv[slot.uv_set].empty()) return options_.texel_size;

@@ -25,8 +25,8 @@ class Parts {
 
   bool is_taken(std::uint32_t triangle) const { return taken_[triangle]; }
 
-  TriangleList grow(std::uint32_t seed) {
-    TriangleList part{seed};
+  TriangleIds grow(std::uint32_t seed) {
+    TriangleIds part{seed};
     taken_[seed] = true;
     for (std::size_t i = 0; i < part.size(); ++i)
       for (const std::uint32_t t : adjacency_.neighbours(part[i])) {
@@ -55,12 +55,12 @@ class Parts {
 
 }  // namespace
 
-std::vector<TriangleList> coplanar_parts(const WorldMesh& mesh, const Adjacency& adjacency) {
-  TriangleList order(mesh.triangle_count());
+std::vector<TriangleIds> coplanar_parts(const WorldMesh& mesh, const Adjacency& adjacency) {
+  TriangleIds order(mesh.triangle_count());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t t) { return mesh.area(t); });
   Parts parts(mesh, adjacency);
-  std::vector<TriangleList> found;
+  std::vector<TriangleIds> found;
   for (const std::uint32_t t : order)
     if (!parts.is_taken(t)) found.push_back(parts.grow(t));
   return found;

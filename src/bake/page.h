@@ -10,9 +10,9 @@ namespace penumbra::bake {
 
 /// What a chart's texels hold.
 struct ChartTexels {
-  std::vector<Vec3> value;            ///< radiance or irradiance, row by row
-  std::vector<float> alpha;           ///< empty: opaque
-  std::vector<std::uint8_t> is_known; ///< 0: a texel that no part of the chart is near
+  std::vector<Vec3> value;             ///< radiance or irradiance, row by row
+  std::vector<float> alpha;            ///< empty: opaque
+  std::vector<std::uint8_t> is_known;  ///< 0: a texel that no part of the chart is near
 };
 
 /// Linear texels and what is known of them.

@@ -10,7 +10,7 @@ constexpr std::uint32_t none = 0xffffffffu, free_triangle = none - 1;
 
 class Regions {
  public:
-  Regions(const WorldMesh& mesh, const Adjacency& adjacency, const TriangleList& triangles)
+  Regions(const WorldMesh& mesh, const Adjacency& adjacency, const TriangleIds& triangles)
       : mesh_(mesh), adjacency_(adjacency), region_(mesh.triangle_count(), none) {
     for (const std::uint32_t t : triangles) region_[t] = free_triangle;
   }
@@ -87,8 +87,8 @@ class Regions {
 }  // namespace
 
 std::vector<SmoothRegion> smooth_regions(const WorldMesh& mesh, const Adjacency& adjacency,
-                                         const TriangleList& triangles, float least_area) {
-  TriangleList order = triangles;
+                                         const TriangleIds& triangles, float least_area) {
+  TriangleIds order = triangles;
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t t) { return mesh.area(t); });
   Regions regions(mesh, adjacency, triangles);
   for (const std::uint32_t t : order) regions.grow_from(t);

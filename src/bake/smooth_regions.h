@@ -7,7 +7,7 @@ namespace penumbra::bake {
 
 /// A region and the unit direction that it is seen along, on its front.
 struct SmoothRegion {
-  TriangleList triangles;
+  TriangleIds triangles;
   Vec3 axis;
 };
 
@@ -16,6 +16,6 @@ struct SmoothRegion {
 /// joined to neighbours whose axis is within 75 degrees of all their normals. Regions may still
 /// overlap themselves when they are projected.
 std::vector<SmoothRegion> smooth_regions(const WorldMesh& mesh, const Adjacency& adjacency,
-                                         const TriangleList& triangles, float least_area);
+                                         const TriangleIds& triangles, float least_area);
 
 }  // namespace penumbra::bake

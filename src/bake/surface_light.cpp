@@ -33,10 +33,10 @@ SurfacePoint surface_point(const WorldMesh& mesh, const MeshPoint& at) {
   point.instance = mesh.index();
   point.triangle = at.triangle;
   if (!mesh.is_smooth(at.triangle)) return point;
-  const Vec3 n = (mesh.corner_normal(at.triangle, 0) * (1 - at.b1 - at.b2) +
-                  mesh.corner_normal(at.triangle, 1) * at.b1 +
-                  mesh.corner_normal(at.triangle, 2) * at.b2) *
-                 side;
+  const Vec3 n =
+      (mesh.corner_normal(at.triangle, 0) * (1 - at.b1 - at.b2) +
+       mesh.corner_normal(at.triangle, 1) * at.b1 + mesh.corner_normal(at.triangle, 2) * at.b2) *
+      side;
   const float size = length(n);
   if (size > 0.33f && dot(n, point.normal) >= 0.33f * size) point.shading_normal = n / size;
   return point;
