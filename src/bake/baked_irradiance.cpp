@@ -1,5 +1,6 @@
 #include "bake/baked_irradiance.h"
 
+#include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
 
@@ -39,13 +40,19 @@ void in_pieces(std::size_t count, const Body& body) {
 
 struct BakedIrradiance::Parts {
   Parts(const World& w, const BakeOptions& o)
-      : world(w), options(o), lights(w.scene()), sampler(lights, options), rays(w) {}
+      : world(w), options(o), lights(w.scene()), sampler(lights, options), rays(w) {
+    if (options.device == BakeDevice::rays) return;
+    occluders = std::make_unique<Occluders>(w.scene(), options.conversions);
+    raster = std::make_unique<RasterBaker>(*occluders);
+  }
 
   const World& world;
   BakeOptions options;
   LightViews lights;
   LightSampler sampler;
   RayBaker rays;
+  std::unique_ptr<Occluders> occluders;  ///< both null for rays
+  std::unique_ptr<RasterBaker> raster;
 };
 
 BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
@@ -60,6 +67,7 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
+  if (p.raster) return p.raster->irradiance(chart, lights, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -91,6 +99,7 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
+  if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/barycentric.h"
 #include "geometry/embree_scene.h"
 #include "shadow/light_points.h"
 
@@ -33,15 +34,6 @@ class Packet {
   alignas(32) RTCRay8 rays_;
   alignas(32) int valid_[packet];
 };
-
-/// Barycentric weights of the second and third corner.
-Vec2 weights_at(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
-  const Vec3d n = cross(b - a, c - a);
-  const double area2 = dot(n, n);
-  if (!(area2 > 0)) return {};
-  return {static_cast<float>(dot(cross(p - a, c - a), n) / area2),
-          static_cast<float>(dot(cross(b - a, p - a), n) / area2)};
-}
 
 }  // namespace
 
@@ -96,7 +88,7 @@ Receiver RayBaker::receiver(const SurfacePoint& point) const {
     const std::uint32_t v = mesh.indices[std::size_t{3} * point.triangle + i];
     return instance.world_from_mesh.point(Vec3d(mesh.positions[v]));
   };
-  const Vec2 b = weights_at(corner(0), corner(1), corner(2), Vec3d(point.position));
+  const Vec2 b = barycentric(corner(0), corner(1), corner(2), Vec3d(point.position));
   const Ray ray{point.position + point.normal, -point.normal};
   const Hit hit{1, b.x, b.y, {point.instance, point.triangle}};
   return receiver_of(world_.surface(ray, hit));
