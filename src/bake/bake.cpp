@@ -229,7 +229,7 @@ class Bake {
         png = has_holes(page) ? encode_png(with_alpha(page), input_.exposure_ev)
                               : encode_png(page.color(), input_.exposure_ev);
       }
-      if (sink) sink(static_cast<int>(i), page.color());
+      if (sink) sink(static_cast<int>(i), placed_.pages.size(), page.color());
       progress.advance(1);
     }
   }

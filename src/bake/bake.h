@@ -30,7 +30,7 @@ struct BakeStats {
 };
 
 /// Called with each page of linear texels as it is finished.
-using PageSink = std::function<void(int page, const Image& image)>;
+using PageSink = std::function<void(int page, std::size_t pages, const Image& image)>;
 
 struct Baked {
   GlbModel model;

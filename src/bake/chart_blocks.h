@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bake/atlas.h"
-#include "bake/charts.h"
+#include "bake/cut_charts.h"
 
 namespace penumbra::bake {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "bake/charts.h"
+#include "bake/cut_charts.h"
 
 namespace penumbra::bake {
 

@@ -1,4 +1,4 @@
-#include "bake/charts.h"
+#include "bake/cut_charts.h"
 
 #include <algorithm>
 
