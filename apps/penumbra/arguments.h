@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "bake/bake_options.h"
+#include "bake/plan.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "scene/scene.h"
@@ -11,7 +13,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader };
+enum class Command { render, probe, info, make_new, export_shader, bake };
 
 enum class Device { automatic, cpu, gl };
 
@@ -19,6 +21,14 @@ enum class Device { automatic, cpu, gl };
 struct AovRequest {
   std::string name;  ///< visibility, depth, normal, error or steps
   std::string file;
+};
+
+/// What bake alone is asked.
+struct BakeArguments {
+  bake::BakeOptions light;
+  bake::TextureOptions textures;
+  bool lightmap = false, hdr = false;
+  std::string preview;  ///< HTML file; empty = none
 };
 
 struct Arguments {
@@ -38,6 +48,7 @@ struct Arguments {
   int threads = 0;    ///< 0 = all cores
   bool quiet = false;
   sdf::ConversionOptions conversion;
+  BakeArguments bake;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

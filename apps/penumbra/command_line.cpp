@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bake_options.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "options.h"
@@ -14,8 +15,9 @@ namespace penumbra::app {
 namespace {
 
 // In the order of Command.
-constexpr std::array<std::string_view, 5> kCommands{"render", "probe", "info", "new", "export"};
-constexpr std::array<std::string_view, 4> kLaterCommands{"bake", "view", "compare", "diff"};
+constexpr std::array<std::string_view, 6> kCommands{"render", "probe",  "info",
+                                                    "new",    "export", "bake"};
+constexpr std::array<std::string_view, 3> kLaterCommands{"view", "compare", "diff"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -61,6 +63,16 @@ void add_probe(CLI::App& app, Arguments& a) {
   add_run_options(command, a);
 }
 
+void add_bake(CLI::App& app, Arguments& a) {
+  CLI::App& command = *app.add_subcommand("bake", "Bake light and shadows into a glTF file");
+  add_file(command, "SCENE", a.scene, kScenes);
+  add_output(command, a, "OUT.glb", "unlit surfaces with textures of radiance");
+  add_bake_options(command, a);
+  add_light_options(command, a);
+  add_conversion_options(command, a);
+  add_run_options(command, a);
+}
+
 void add_export(CLI::App& app, Arguments& a) {
   CLI::App& command =
       *app.add_subcommand("export", "Write a distance-field scene as a shader for Shadertoy");
@@ -90,6 +102,7 @@ void build(CLI::App& app, Arguments& a) {
   app.require_subcommand(0, 1);
   add_render(app, a);
   add_probe(app, a);
+  add_bake(app, a);
   add_export(app, a);
   add_info(app, a);
   add_new(app, a);
@@ -147,6 +160,8 @@ void check_complete(Arguments& a) {
                     a.command == Command::make_new ? "NAME.json" : "SCENE"));
   if (a.command == Command::render && a.output.empty())
     throw InputError("no output is named", "add -o OUT.png or -o OUT.exr");
+  if (a.command == Command::bake && a.output.empty())
+    throw InputError("no output is named", "add -o OUT.glb");
   if (a.command == Command::export_shader && a.output.empty())
     throw InputError("no output is named", "add -o OUT.glsl");
   if (a.command == Command::probe && a.points.empty())

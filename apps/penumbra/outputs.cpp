@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "bake_files.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/exr.h"
@@ -20,6 +21,9 @@ std::vector<std::string> output_files(const Arguments& a) {
   if (!a.output.empty()) files.push_back(a.output);
   for (const AovRequest& aov : a.aovs) files.push_back(aov.file);
   if (!a.stats.empty()) files.push_back(a.stats);
+  if (!a.bake.preview.empty()) files.push_back(a.bake.preview);
+  if (a.bake.lightmap) files.push_back(description_file(a));
+  if (a.bake.lightmap || a.bake.hdr) files.push_back(page_file(a, 0, 1));
   return files;
 }
 
@@ -81,6 +85,8 @@ void check_outputs(const Arguments& a) {
       !has_extension(a.output, ".exr"))
     throw InputError({a.output}, "this is no picture format that can be written",
                      "let it end in .png or .exr");
+  if (a.command == Command::bake && !has_extension(a.output, ".glb"))
+    throw InputError({a.output}, "a bake is written as binary glTF", "let it end in .glb");
   std::set<std::filesystem::path> names;
   std::error_code ignored;
   for (const std::string& file : output_files(a)) {

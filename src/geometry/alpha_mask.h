@@ -33,6 +33,7 @@ struct MaskedMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   const AlphaMask* mask = nullptr;  ///< null: the whole surface is opaque
+  bool culls_back = false;          ///< rays to see by go through it from behind
 
   /// Metres on the surface from the point with barycentric weights (b1, b2) of `triangle` to the
   /// nearest opaque point; zero or negative where it is opaque itself. `scale`: world metres per

@@ -20,6 +20,21 @@ void pass_holes(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+// Winding and direction are both in the mesh's frame here.
+bool from_behind(const RTCFilterFunctionNArguments* args, unsigned i) {
+  return RTCHitN_Ng_x(args->hit, args->N, i) * RTCRayN_dir_x(args->ray, args->N, i) +
+             RTCHitN_Ng_y(args->hit, args->N, i) * RTCRayN_dir_y(args->ray, args->N, i) +
+             RTCHitN_Ng_z(args->hit, args->N, i) * RTCRayN_dir_z(args->ray, args->N, i) >
+         0;
+}
+
+void pass_backs_and_holes(const RTCFilterFunctionNArguments* args) {
+  if (static_cast<const MaskedMesh*>(args->geometryUserPtr)->culls_back)
+    for (unsigned i = 0; i < args->N; ++i)
+      if (args->valid[i] == -1 && from_behind(args, i)) args->valid[i] = 0;
+  pass_holes(args);
+}
+
 struct ExcludingContext {
   rtc::Context context;  // first, so that Embree's pointer to it is one to this
   unsigned excluded;
@@ -96,12 +111,14 @@ RTCGeometry EmbreeScene::make_triangles(const Instance& instance) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.indices.data(), 0, 3 * sizeof(std::uint32_t),
                              mesh.triangle_count());
-  if (const AlphaMask* mask = masks_.find(instance.material)) {
-    masked_.push_back(std::make_unique<MaskedMesh>(
-        MaskedMesh{&mesh, &scene_.materials[instance.material], mask}));
+  const Material& material = scene_.materials[instance.material];
+  const AlphaMask* mask = masks_.find(instance.material);
+  const bool culls_back = material.unlit > 0 && !material.double_sided;
+  if (mask || culls_back) {
+    masked_.push_back(std::make_unique<MaskedMesh>(MaskedMesh{&mesh, &material, mask, culls_back}));
     rtcSetGeometryUserData(geometry, masked_.back().get());
-    rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
-    rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_backs_and_holes);
+    if (mask) rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
   }
   rtcCommitGeometry(geometry);
   return geometry;

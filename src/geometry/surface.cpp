@@ -49,6 +49,12 @@ Vec2 mix(const Corner* c, const float* w, int set) {
           w[0] * c[0].uv[set].y + w[1] * c[1].uv[set].y + w[2] * c[2].uv[set].y};
 }
 
+Vec3 mixed_color(const Mesh& mesh, const Hit& hit, const float* weights) {
+  const std::uint32_t* v = &mesh.indices[std::size_t{3} * hit.primitive.triangle];
+  return mesh.colors[v[0]] * weights[0] + mesh.colors[v[1]] * weights[1] +
+         mesh.colors[v[2]] * weights[2];
+}
+
 void load_corners(const Scene& scene, const Instance& instance, const std::uint32_t* v,
                   Corner* corners) {
   const Mesh& mesh = scene.meshes[instance.mesh];
@@ -115,6 +121,7 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
     s.uv[set] = mix(corners, weights, set);
     *per_metre[set] = uv_per_metre(corners, set, area);
   }
+  if (!mesh.colors.empty()) s.color = mixed_color(mesh, hit, weights);
   s.material = instance.material;
   s.object = instance.object;
   s.primitive = hit.primitive;

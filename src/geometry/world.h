@@ -28,6 +28,7 @@ struct Surface {
                          ///< (Hanika 2021, Hacking the Shadow Terminator); = position without them
   Vec2 uv[2];            ///< TEXCOORD_0 and _1; zero if absent
   Vec2 uv_per_metre;     ///< for texture filtering: |d uv_0| and |d uv_1| per metre on the surface
+  Vec3 color{1, 1, 1};   ///< interpolated vertex colour, linear; multiplies diffuse
   std::uint32_t material = 0;
   std::uint32_t object = 0;
   /// Where smooth operators of distance fields blend materials: which, and weights that add up to

@@ -67,7 +67,12 @@ ShadingPoint MaterialLookup::of_material(std::uint32_t material, const Surface& 
   point.position = receiver_of(surface).position;
   point.normal = surface.shading_normal;
   point.to_viewer = to_viewer;
-  point.diffuse = m.diffuse * color(m.diffuse_map, surface, side, true);
+  point.diffuse = m.diffuse * surface.color * color(m.diffuse_map, surface, side, true);
+  if (m.unlit > 0) {
+    if (surface.front || m.double_sided) point.emission = point.diffuse * m.unlit;
+    point.diffuse = {};
+    return point;
+  }
   point.specular = m.specular;
   point.mirror = m.mirror;
   if (surface.front || m.double_sided)

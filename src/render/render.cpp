@@ -110,10 +110,12 @@ RenderResult render(const World& world, const RenderOptions& options, Progress& 
   const Camera& view = scene.cameras[static_cast<std::size_t>(options.camera)];
   const CameraRays camera(view, options.width, options.height);
   const CameraRays coarse(view, exposure_grid_width, exposure_grid_height);
-  const bool is_given = options.exposure_ev && !scene.ambient_is_automatic;
-  const Brightness bright = is_given ? Brightness{*options.exposure_ev, scene.ambient}
+  const std::optional<float> exposure_ev =
+      options.exposure_ev ? options.exposure_ev : scene.exposure_ev;
+  const bool is_given = exposure_ev && !scene.ambient_is_automatic;
+  const Brightness bright = is_given ? Brightness{*exposure_ev, scene.ambient}
                                      : find_brightness(world, coarse, lights, materials);
-  result.stats.exposure_ev = options.exposure_ev.value_or(bright.exposure_ev);
+  result.stats.exposure_ev = exposure_ev.value_or(bright.exposure_ev);
   result.stats.seconds_build = seconds_since(build_start);
   const auto render_start = Clock::now();
   render_tiles({world, options, lights, materials, shadows, camera, bright.ambient}, result,

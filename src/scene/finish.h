@@ -26,10 +26,10 @@ Camera default_view();
 Light default_sun();
 
 /// Adds a framing camera if there is none and a soft key light near the camera's side if there is
-/// no light, placed by the scene's bounds and, if the file has a camera, beside that one; says so
-/// in the report. Call after finish_scene. Light on what faces it at the scene's centre: irradiance
-/// π. What has no end is framed by its finite parts; without any it gets default_view and
-/// default_sun.
+/// no light (nor only unlit surfaces), placed by the scene's bounds and, if the file has a camera,
+/// beside that one; says so in the report. Call after finish_scene. Light on what faces it at the
+/// scene's centre: irradiance π. What has no end is framed by its finite parts; without any it gets
+/// default_view and default_sun.
 void add_missing_camera_and_light(Scene& scene);
 
 /// Groups triangles by shared vertex positions: for each triangle the number of its connected part,

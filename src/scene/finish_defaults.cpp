@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -125,6 +126,14 @@ void add_defaults_without_end(Scene& scene) {
   }
 }
 
+/// No light would change what is seen of it.
+bool is_unlit(const Scene& scene) {
+  return !scene.instances.empty() && scene.spheres.empty() && scene.sdfs.empty() &&
+         std::ranges::all_of(scene.instances, [&](const Instance& instance) {
+           return scene.materials[instance.material].unlit > 0;
+         });
+}
+
 }  // namespace
 
 Camera default_view() {
@@ -147,7 +156,8 @@ Light default_sun() {
 }
 
 void add_missing_camera_and_light(Scene& scene) {
-  const bool needs_camera = scene.cameras.empty(), needs_light = scene.lights.empty();
+  const bool needs_camera = scene.cameras.empty();
+  const bool needs_light = scene.lights.empty() && !is_unlit(scene);
   if (!needs_camera && !needs_light) return;
   const Bounds box = bounds_of(scene);
   if (box.empty()) return add_defaults_without_end(scene);

@@ -18,6 +18,7 @@ void append_vertex(const Mesh& from, std::uint32_t vertex, Mesh& to) {
   if (!from.normals.empty()) to.normals.push_back(from.normals[vertex]);
   for (int set = 0; set < 2; ++set)
     if (!from.uv[set].empty()) to.uv[set].push_back(from.uv[set][vertex]);
+  if (!from.colors.empty()) to.colors.push_back(from.colors[vertex]);
 }
 
 /// One mesh a part, each with the vertices it uses.

@@ -30,6 +30,9 @@ struct Material {
   bool double_sided = true;            ///< seen and shaded from both sides
   std::optional<float> alpha_cutoff;   ///< MASK: texels with alpha · alpha < cutoff are holes
   float alpha = 1;                     ///< base colour's alpha factor
+  /// glTF, KHR_materials_unlit: the radiance that a base colour of 1 shows as, whatever the lights;
+  /// 0 = lit. Without double_sided nothing is seen of it from behind.
+  float unlit = 0;
 };
 
 // What a mesh was before it became triangles, for distances to it.
@@ -50,6 +53,7 @@ struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;           ///< per vertex, unit; empty = geometric
   std::vector<Vec2> uv[2];             ///< per vertex; may be empty
+  std::vector<Vec3> colors;            ///< per vertex, multiply diffuse; empty = white
   std::vector<std::uint32_t> indices;  ///< 3 a triangle, all in range, no zero-area triangle
 
   /// Set only while the positions are still those of the object in the file.
@@ -78,6 +82,7 @@ struct Sphere {
 /// What a person calls one thing: composites other than min act between objects.
 struct Object {
   std::string name;
+  bool receives = true;  ///< baking: its surfaces hold light and shadows in textures
 };
 
 enum class LightType : std::uint8_t { point, sphere, disk, rect, segment, sun, mesh };
@@ -131,6 +136,7 @@ struct Scene {
   Vec3 ambient{0.05f, 0.05f, 0.05f};  ///< radiance from everywhere, unoccluded
   bool ambient_is_automatic = false;  ///< the file says nothing of it: renderers follow the light
   Vec3 background{0, 0, 0};           ///< radiance where a ray meets nothing
+  std::optional<float> exposure_ev;   ///< that the file asks to be shown with; none = by renderers
   LoadReport report;
 };
 

@@ -98,12 +98,17 @@ constexpr std::string_view before_sdf = R"json({
         {"$ref": "#/$defs/glsl_object"}
       ]
     },
+    "receives": {
+      "description": "Whether bake gives it textures of light and shadow.",
+      "type": "boolean", "default": true
+    },
     "quad_object": {
       "additionalProperties": false,
       "required": ["type", "corner", "edge_u", "edge_v", "material"],
       "properties": {
         "type": {"const": "quad"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
@@ -116,6 +121,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "center": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "material": {"$ref": "#/$defs/text"}
@@ -127,6 +133,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "box"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "min": {"$ref": "#/$defs/point"},
         "max": {"$ref": "#/$defs/point"},
         "material": {"$ref": "#/$defs/text"}
@@ -138,6 +145,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "polygon"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
         "material": {"$ref": "#/$defs/text"}
       }
@@ -148,6 +156,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "mesh"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"},
         "transform": {"$ref": "#/$defs/transform"},
         "material": {"$ref": "#/$defs/text"}
@@ -159,6 +168,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sdf"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "root": {"$ref": "#/$defs/sdf_node"},
         "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
       }
@@ -169,6 +179,7 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "glsl"},
         "name": {"$ref": "#/$defs/text"},
+        "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"}
       }
     },

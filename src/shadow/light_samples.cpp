@@ -37,15 +37,6 @@ std::uint32_t nested_uniform_scramble(std::uint32_t x, std::uint32_t seed) {
 
 float unit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
 
-Vec2 concentric(Vec2 square) {
-  const float x = 2 * square.x - 1, y = 2 * square.y - 1;
-  if (x == 0 && y == 0) return {0, 0};
-  constexpr float quarter = std::numbers::pi_v<float> / 4;
-  const bool wide = std::abs(x) > std::abs(y);
-  const float r = wide ? x : y, phi = wide ? quarter * (y / x) : quarter * (2 - x / y);
-  return {r * std::cos(phi), r * std::sin(phi)};
-}
-
 // A place on the Morton curve: the bits of x and y by turns.
 std::uint64_t morton(const Vec2& p) {
   const auto spread = [](float unit) {
@@ -59,6 +50,15 @@ std::uint64_t morton(const Vec2& p) {
 }
 
 }  // namespace
+
+Vec2 concentric(Vec2 square) {
+  const float x = 2 * square.x - 1, y = 2 * square.y - 1;
+  if (x == 0 && y == 0) return {0, 0};
+  constexpr float quarter = std::numbers::pi_v<float> / 4;
+  const bool wide = std::abs(x) > std::abs(y);
+  const float r = wide ? x : y, phi = wide ? quarter * (y / x) : quarter * (2 - x / y);
+  return {r * std::cos(phi), r * std::sin(phi)};
+}
 
 LightSamples::LightSamples(int count, std::uint32_t seed, Order order)
     : count_(count),

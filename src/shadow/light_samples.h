@@ -16,6 +16,10 @@ inline std::uint64_t hash(std::uint64_t a, std::uint64_t b) {
   return x ^ (x >> 31);
 }
 
+/// A point of the unit square on the unit disk, areas and neighbourhoods kept (Shirley and Chiu
+/// 1997, A Low Distortion Map Between Disk and Square).
+Vec2 concentric(Vec2 square);
+
 /// One receiver's pattern: which table, and how it is turned (disks) or shifted (squares).
 struct SamplePattern {
   const float *square_x = nullptr, *square_y = nullptr;  ///< count points of the unit square

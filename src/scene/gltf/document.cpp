@@ -16,12 +16,13 @@ namespace {
 
 constexpr const char* kExtras[] = {"radius", "angular_diameter_deg"};
 
-/// What of `extras` is read: numbers of known names.
+/// What of `extras` is read: numbers of known names, and whether a node receives light.
 Json::Value known_extras(const Json::Value& extras) {
   Json::Value known(Json::objectValue);
   if (!extras.isObject()) return known;
   for (const char* name : kExtras)
     if (extras.isMember(name) && extras[name].isNumeric()) known[name] = extras[name].asDouble();
+  if (extras["receives"].isBool()) known["receives"] = extras["receives"];
   return known;
 }
 

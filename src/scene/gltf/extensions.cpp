@@ -11,9 +11,10 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<std::string_view, 5> kImplemented = {
-    "KHR_texture_transform", "KHR_materials_emissive_strength", "KHR_lights_punctual",
-    "EXT_lights_area", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 6> kImplemented = {
+    "KHR_texture_transform", "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",   "KHR_lights_punctual",
+    "EXT_lights_area",       "KHR_mesh_quantization"};
 
 constexpr std::array<Pair, 7> kRemedies = {{
     {"KHR_draco_mesh_compression", "re-export without Draco compression"},
@@ -25,11 +26,10 @@ constexpr std::array<Pair, 7> kRemedies = {{
     {"EXT_mesh_gpu_instancing", "re-export with one node for each instance"},
 }};
 
-constexpr std::array<Pair, 14> kVisible = {{
+constexpr std::array<Pair, 13> kVisible = {{
     {"KHR_materials_transmission", "transparent surfaces are shown opaque"},
     {"KHR_materials_diffuse_transmission", "translucent surfaces are shown opaque"},
     {"KHR_materials_volume", "volumes are shown as surfaces"},
-    {"KHR_materials_unlit", "unlit surfaces are lit"},
     {"KHR_materials_clearcoat", "clear coats are left out"},
     {"KHR_materials_sheen", "sheen is left out"},
     {"KHR_materials_iridescence", "iridescence is left out"},

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "scene/gltf/display.h"
 #include "scene/gltf/mirror.h"
 #include "scene/gltf/values.h"
 
@@ -33,6 +36,14 @@ void read_emission(const tinygltf::Material& in, Textures& textures, Material& o
   out.emission_map = textures.slot(in.emissiveTexture);
 }
 
+/// What the file was exposed by is taken back, so that baked radiance is radiance again.
+void read_unlit(const tinygltf::Material& in, std::optional<double> exposure_ev, Material& out) {
+  if (extension(in.extensions, "KHR_materials_unlit") == nullptr) return;
+  out.unlit = to_float(std::exp2(-exposure_ev.value_or(0)));
+  out.mirror = out.emission = {};
+  out.emission_map = {};
+}
+
 void read_alpha(const tinygltf::Material& in, const std::string& name, Warnings& warnings,
                 Material& out) {
   if (in.alphaMode == "MASK") out.alpha_cutoff = to_float(in.alphaCutoff);
@@ -52,6 +63,7 @@ std::vector<Material> read_materials(Document& document, Textures& textures) {
     out.double_sided = in.doubleSided;
     read_metallic_roughness(in.pbrMetallicRoughness, textures, out);
     read_emission(in, textures, out);
+    read_unlit(in, exposure_of(document.json()), out);
     const std::string name =
         in.name.empty() ? fmt::format("material {}", materials.size() - 1) : in.name;
     read_alpha(in, name, document.warnings(), out);

@@ -7,6 +7,7 @@
 
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/triangulate.h"
+#include "scene/gltf/values.h"
 
 namespace penumbra::gltf {
 namespace {
@@ -35,6 +36,7 @@ class Reader {
   Indices read_indices(const Elements& elements) const;
   std::vector<Vec3> vectors(const Elements& elements, const Indices& vertices) const;
   void read_uvs(Mesh& mesh, const Indices& vertices) const;
+  void read_colors(Mesh& mesh, const Indices& vertices) const;
   void warn_of_deformation() const;
 
   Document& document_;
@@ -123,6 +125,20 @@ void Reader::read_uvs(Mesh& mesh, const Indices& vertices) const {
   }
 }
 
+/// COLOR_0 of three components, or of four, whose alpha is not read.
+void Reader::read_colors(Mesh& mesh, const Indices& vertices) const {
+  const auto found = primitive_.attributes.find("COLOR_0");
+  if (found == primitive_.attributes.end()) return;
+  const bool has_alpha = Elements(document_, found->second).components() == 4;
+  const auto elements = vertex_attribute("COLOR_0", has_alpha ? 4 : 3);
+  document_.spend(vertices.size() * sizeof(Vec3), path_);
+  for (const std::uint32_t vertex : vertices) {
+    float v[4];
+    elements->get(vertex, v);
+    mesh.colors.push_back({to_unit(v[0]), to_unit(v[1]), to_unit(v[2])});
+  }
+}
+
 void Reader::warn_of_deformation() const {
   if (!primitive_.targets.empty())
     document_.warnings().add("morph targets are left out: the mesh is shown undeformed",
@@ -145,6 +161,7 @@ std::optional<Mesh> Reader::read() {
   mesh.positions = vectors(positions, used);
   if (const auto normals = vertex_attribute("NORMAL", 3)) mesh.normals = vectors(*normals, used);
   read_uvs(mesh, used);
+  read_colors(mesh, used);
   return mesh;
 }
 

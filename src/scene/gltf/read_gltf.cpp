@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "scene/gltf/cameras.h"
+#include "scene/gltf/display.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/lights.h"
 #include "scene/gltf/materials.h"
 #include "scene/gltf/node_tree.h"
 #include "scene/gltf/primitive.h"
 #include "scene/gltf/textures.h"
+#include "scene/gltf/values.h"
 #include "scene/load.h"
 
 namespace penumbra {
@@ -100,7 +102,9 @@ void Builder::add_object(std::size_t i) {
   const tinygltf::Node& node = document_.model().nodes[i];
   const std::string& mesh = document_.model().meshes[static_cast<std::size_t>(node.mesh)].name;
   const bool use_mesh = node.name.empty() && !mesh.empty();
-  scene_.objects.push_back({use_mesh ? mesh : node_name(document_, i)});
+  Object& object = scene_.objects.emplace_back();
+  object.name = use_mesh ? mesh : node_name(document_, i);
+  object.receives = flag(node.extras, "receives").value_or(true);
 }
 
 void Builder::add_node(std::size_t i) {
@@ -133,6 +137,7 @@ Scene read_gltf(const std::string& path) {
     if (tree.in_scene[i]) builder.add_node(i);
   scene.cameras = gltf::read_cameras(document, tree);
   scene.lights = gltf::read_lights(document, tree);
+  gltf::read_display(document.json(), scene);
   scene.report.warnings = document.warnings().lines();
   return scene;
 }

@@ -26,6 +26,12 @@ inline std::optional<double> number(const tinygltf::Value& object, const std::st
   return object.Get(name).GetNumberAsDouble();
 }
 
+/// The truth value `name` of an object; no value if it is absent or none.
+inline std::optional<bool> flag(const tinygltf::Value& object, const std::string& name) {
+  if (!object.Has(name) || !object.Get(name).IsBool()) return std::nullopt;
+  return object.Get(name).Get<bool>();
+}
+
 /// The string `name` of an object; empty if it is absent or no string.
 inline std::string text(const tinygltf::Value& object, const std::string& name) {
   if (!object.Has(name) || !object.Get(name).IsString()) return {};

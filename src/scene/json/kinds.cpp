@@ -156,6 +156,12 @@ Vec3d scale(const At& at) {
   return v;
 }
 
+bool flag(const At& at) {
+  if (!at.value.isBool())
+    refuse(at, fmt::format("\"{}\" is {}", at.key, type_name(at.value)), "give true or false");
+  return at.value.asBool();
+}
+
 std::string text(const At& at) {
   if (!at.value.isString())
     refuse(at, fmt::format("\"{}\" is {}", at.key, type_name(at.value)), "give a string");

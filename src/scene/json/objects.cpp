@@ -26,7 +26,9 @@ void read_objects(Builder& builder, const Json::Value& objects) {
     ObjectReader reader(builder.document, value, "an object");
     const ObjectFunction read = choose_by_type(reader, object_types);
     const std::size_t index = scene.objects.size();
-    scene.objects.push_back({name_of(reader, index)});
+    Object& object = scene.objects.emplace_back();
+    object.name = name_of(reader, index);
+    object.receives = reader.optional("receives", flag, true);
     read(builder, reader, static_cast<std::uint32_t>(index));
   }
   scene.lights.insert(scene.lights.end(), builder.sphere_lights.begin(),

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "bake/baked_irradiance.h"
+#include "bake/preview.h"
+#include "bake/triangulate.h"
+#include "bake_files.h"
+#include "base/error.h"
+#include "commands.h"
+#include "image/exr.h"
+#include "memory.h"
+#include "outputs.h"
+#include "prepare.h"
+#include "render/exposure.h"
+#include "stats.h"
+
+namespace penumbra::app {
+namespace {
+
+void check_lightmap_options(const Arguments& a) {
+  if (a.bake.lightmap && a.bake.hdr)
+    throw InputError("--hdr: a lightmap always has its EXR beside it", "leave --hdr out");
+  if (a.bake.lightmap && !a.bake.preview.empty())
+    throw InputError("--preview: it shows radiance, not lightmaps", "leave --lightmap out");
+}
+
+void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& console) {
+  constexpr std::size_t shown = 5;
+  const auto names = [](const std::vector<std::string>& all) {
+    const std::vector<std::string> some(
+        all.begin(), all.begin() + std::min<std::ptrdiff_t>(shown, std::ssize(all)));
+    return fmt::format("{}{}", fmt::join(some, ", "),
+                       all.size() > shown ? fmt::format(" and {} more", all.size() - shown) : "");
+  };
+  if (!plan.remarks.coarse.empty())
+    console.warn(fmt::format("texels are coarser than asked for, to fit into one texture: {}",
+                             names(plan.remarks.coarse)));
+  if (!plan.remarks.blurred.empty())
+    console.warn(
+        fmt::format("base-colour textures are finer than the texels and look blurred: {}; "
+                    "a smaller --texel-size or --lightmap keeps them",
+                    names(plan.remarks.blurred)));
+  std::vector<std::string> shiny;
+  for (const Instance& instance : scene.instances) {
+    const Material& m = scene.materials[instance.material];
+    const bool turns_with_view = max_component(m.mirror) > 0 || max_component(m.specular) > 0.1f ||
+                                 (m.is_metallic_roughness && m.metallic > 0.5f);
+    if (turns_with_view && std::ranges::find(shiny, m.name) == shiny.end()) shiny.push_back(m.name);
+  }
+  if (!shiny.empty())
+    console.warn(fmt::format("highlights and mirrors depend on the viewer and are not baked: {}",
+                             names(shiny)));
+}
+
+Brightness brightness_of(const World& world, const Arguments& a, const DirectLight& lights,
+                         const MaterialLookup& materials) {
+  const Scene& scene = world.scene();
+  const int camera = chosen_camera(scene, a.camera);
+  const CameraRays coarse(scene.cameras[static_cast<std::size_t>(camera)], exposure_grid_width,
+                          exposure_grid_height);
+  Brightness bright = find_brightness(world, coarse, lights, materials);
+  bright.exposure_ev = a.render.exposure_ev.value_or(bright.exposure_ev);
+  return bright;
+}
+
+void tell(const bake::BakeStats& stats, const bake::Plan& plan, Console& console) {
+  console.remark(fmt::format("{} charts, {} texels of {:.3g} m, {} texture{}", stats.charts,
+                             stats.texels, plan.texel_size, stats.pages,
+                             stats.pages == 1 ? "" : "s"));
+  if (stats.vertex_charts > 0)
+    console.remark(
+        fmt::format("{} charts are smooth and became vertex colours, within one 8-bit "
+                    "step: {:.1f} MB of texels saved",
+                    stats.vertex_charts, 3e-6 * static_cast<double>(stats.saved_texels)));
+}
+
+Json::Value stats_of(const Arguments& a, const Scene& scene, const World& world,
+                     const bake::Plan& plan, const bake::BakeStats& bake, double seconds) {
+  Json::Value json = common_stats(a, scene, world.memory_bytes());
+  json["seconds"]["bake"] = seconds;
+  json["charts"] = static_cast<Json::UInt64>(bake.charts);
+  json["vertex_charts"] = static_cast<Json::UInt64>(bake.vertex_charts);
+  json["texels"] = static_cast<Json::UInt64>(bake.texels);
+  json["textures"] = static_cast<Json::UInt64>(bake.pages);
+  json["texel_size"] = plan.texel_size;
+  return json;
+}
+
+}  // namespace
+
+void run_bake(Arguments& a, Console& console) {
+  check_lightmap_options(a);
+  check_outputs(a);
+  if (!a.bake.preview.empty()) bake::viewer_folder();  // refused now rather than after the work
+  if (a.bake.textures.most_bytes == 0) a.bake.textures.most_bytes = available_memory() / 2;
+  const Scene loaded = prepare_scene(a, console);
+  if (loaded.glsl)
+    throw InputError({a.scene}, "a shader has no surfaces to bake", "use penumbra render");
+  const Scene scene = bake::triangulated(loaded, a.conversion);
+  const bake::Plan plan = bake::make_plan(scene, a.bake.textures);
+  warn_of_surfaces(scene, plan, console);
+  console.start("build", 0);
+  const World world(scene, {.cone_tree = false});
+  console.finish();
+  const LightViews views(scene);
+  const DirectLight lights(views);
+  const MaterialLookup materials(scene);
+  const Brightness bright = brightness_of(world, a, lights, materials);
+  a.bake.light.seed = a.render.seed;
+  const bake::BakedIrradiance irradiance(world, a.bake.light);
+  const bake::BakeInput input{scene,     irradiance,     lights,
+                              materials, bright.ambient, bright.exposure_ev};
+  const bake::PageSink write_page = [&](int page, std::size_t count, const Image& image) {
+    write_exr(page_file(a, page, count), {{"", {"R", "G", "B"}, &image, a.bake.lightmap}});
+  };
+  const Stopwatch work;
+  const bake::Baked baked =
+      bake::bake(input, plan, a.bake.textures,
+                 a.bake.lightmap ? bake::Output::lightmap : bake::Output::radiance,
+                 a.bake.hdr || a.bake.lightmap ? write_page : bake::PageSink(), console);
+  const double seconds = work.seconds();
+  tell(baked.stats, plan, console);
+  console.remark(fmt::format("exposure: {:.2f} EV", bright.exposure_ev));
+  write_baked(a, baked);
+  if (!a.stats.empty()) write_stats(a.stats, stats_of(a, scene, world, plan, baked.stats, seconds));
+}
+
+}  // namespace penumbra::app

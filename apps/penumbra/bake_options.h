@@ -1,0 +1,13 @@
+// The options of bake.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "arguments.h"
+
+namespace penumbra::app {
+
+/// Adds the options that belong to bake alone; their values are checked as they are read.
+void add_bake_options(CLI::App& command, Arguments& arguments);
+
+}  // namespace penumbra::app

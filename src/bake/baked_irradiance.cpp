@@ -1,0 +1,127 @@
+#include "bake/baked_irradiance.h"
+
+#include "bake/raster_baker.h"
+#include "bake/ray_baker.h"
+#include "base/parallel.h"
+
+namespace penumbra::bake {
+namespace {
+
+constexpr std::size_t texels_a_piece = 256;
+
+float instance_scale(const BakeOptions& options, std::uint32_t instance) {
+  return instance < options.instance_scale.size() ? options.instance_scale[instance] : 1.0f;
+}
+
+ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options) {
+  return {{c.base, c.base + c.edge_x, c.base + c.edge_x + c.edge_y, c.base + c.edge_y},
+          c.normal,
+          instance_scale(options, c.instance)};
+}
+
+ReceiverPatch patch_of(const Receiver& r, float scale) {
+  return {{r.position, r.position, r.position, r.position}, r.normal, scale};
+}
+
+/// Calls body(first, last) for pieces of [0, count).
+template <class Body>
+void in_pieces(std::size_t count, const Body& body) {
+  const std::size_t pieces = (count + texels_a_piece - 1) / texels_a_piece;
+  const auto piece = [&](std::size_t k) {
+    body(k * texels_a_piece, std::min(count, (k + 1) * texels_a_piece));
+  };
+  if (pieces == 1)
+    piece(0);
+  else
+    parallel_for(pieces, piece);
+}
+
+}  // namespace
+
+struct BakedIrradiance::Parts {
+  Parts(const World& w, const BakeOptions& o)
+      : world(w), options(o), lights(w.scene()), sampler(lights, options), rays(w) {
+    if (options.device == BakeDevice::rays) return;
+    occluders = std::make_unique<Occluders>(w.scene(), options.conversions);
+    raster = std::make_unique<RasterBaker>(*occluders);
+  }
+
+  const World& world;
+  BakeOptions options;
+  LightViews lights;
+  LightSampler sampler;
+  RayBaker rays;
+  std::unique_ptr<Occluders> occluders;  ///< both null for rays
+  std::unique_ptr<RasterBaker> raster;
+};
+
+BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
+    : parts_(std::make_unique<Parts>(world, options)) {}
+
+BakedIrradiance::~BakedIrradiance() = default;
+
+const BakeOptions& BakedIrradiance::options() const { return parts_->options; }
+
+void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) const {
+  const Parts& p = *parts_;
+  std::vector<SampledLight> lights;
+  for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
+    lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
+  if (p.raster) return p.raster->irradiance(chart, lights, out);
+  const auto width = static_cast<std::size_t>(chart.width);
+  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Receiver texel{
+          chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)), chart.normal};
+      out[i] = {};
+      for (const SampledLight& light : lights)
+        out[i] += light.emission * p.rays.light(texel, light).irradiance;
+    }
+  });
+}
+
+void BakedIrradiance::of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const {
+  const Parts& p = *parts_;
+  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Receiver r = p.rays.receiver(points[i]);
+      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
+      out[i] = {};
+      for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l) {
+        const SampledLight light = p.sampler.sample(l, patch);
+        out[i] += light.emission * p.rays.light(r, light).irradiance;
+      }
+    }
+  });
+}
+
+void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t light,
+                                        std::span<float> out) const {
+  const Parts& p = *parts_;
+  const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
+  if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
+  const auto width = static_cast<std::size_t>(chart.width);
+  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      out[i] =
+          p.rays
+              .light({chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
+                      chart.normal},
+                     sampled)
+              .fraction;
+  });
+}
+
+void BakedIrradiance::visible_fractions(std::span<const SurfacePoint> points, std::size_t light,
+                                        std::span<float> out) const {
+  const Parts& p = *parts_;
+  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Receiver r = p.rays.receiver(points[i]);
+      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
+      out[i] = p.rays.light(r, p.sampler.sample(light, patch, true)).fraction;
+    }
+  });
+}
+
+}  // namespace penumbra::bake

@@ -1,0 +1,39 @@
+// The direct irradiance of a scene's surfaces by the method of Heckbert and Herf (1997), Simulating
+// Soft Shadows with Graphics Hardware: each light is a few points, and the hard shadows that they
+// throw are added up.
+#pragma once
+
+#include <memory>
+
+#include "bake/bake_options.h"
+#include "bake/chart.h"
+#include "geometry/world.h"
+
+namespace penumbra::bake {
+
+/// Thread-safe; large charts are worked on by all threads, many small ones are best asked for from
+/// many. The same bytes at any number of threads. Keeps a reference to the world.
+class BakedIrradiance final : public Irradiance {
+ public:
+  BakedIrradiance(const World& world, const BakeOptions& options);
+  ~BakedIrradiance() override;
+  BakedIrradiance(const BakedIrradiance&) = delete;
+  BakedIrradiance& operator=(const BakedIrradiance&) = delete;
+
+  void of_chart(const PlanarChart& chart, std::span<Vec3> out) const override;
+  /// Always by rays.
+  void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override;
+
+  /// The visible fraction of one light, in [0, 1], at every texel; at points.
+  void visible_fractions(const PlanarChart& chart, std::size_t light, std::span<float> out) const;
+  void visible_fractions(std::span<const SurfacePoint> points, std::size_t light,
+                         std::span<float> out) const;
+
+  const BakeOptions& options() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace penumbra::bake

@@ -1,0 +1,173 @@
+// Triangles in a shaft. Included once per SIMD target.
+#include "bake/raster_kernels.h"
+
+// Per-target include guard.
+#if defined(PENUMBRA_BAKE_COLLECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PENUMBRA_BAKE_COLLECT_INL_H_
+#undef PENUMBRA_BAKE_COLLECT_INL_H_
+#else
+#define PENUMBRA_BAKE_COLLECT_INL_H_
+#endif
+
+#include "bake/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace penumbra::bake::HWY_NAMESPACE {
+
+/// One walk through the tree.
+class Collector {
+ public:
+  Collector(const Occluders& occluders, const Shaft& shaft, const OwnTriangles& own,
+            int light_instance, TriangleList& out, std::vector<MaskedTriangle>& masked)
+      : occluders_(occluders),
+        shaft_(shaft),
+        own_(own),
+        light_instance_(static_cast<std::uint32_t>(light_instance)),
+        out_(out),
+        masked_(masked) {}
+
+  void visit(std::size_t level, std::size_t index) {
+    const BoxCluster& node = occluders_.levels()[level][index];
+    for (std::uint32_t bits = boxes_inside(node); bits != 0; bits &= bits - 1) {
+      const std::size_t child = 8 * index + static_cast<std::size_t>(std::countr_zero(bits));
+      if (level > 0)
+        visit(level - 1, child);
+      else
+        take(occluders_.clusters()[child]);
+    }
+  }
+
+ private:
+  /// Bits of the boxes that reach into the shaft.
+  HWY_INLINE std::uint32_t boxes_inside(const BoxCluster& node) const {
+    std::uint32_t inside = 0;
+    for (std::size_t i = 0; i < 8; i += lanes) {
+      M in = hn::FirstN(
+          D(), static_cast<std::size_t>(node.count) - std::min<std::size_t>(node.count, i));
+      for (int k = 0; k < shaft_.count; ++k) {
+        const Plane& p = shaft_.planes[k];
+        const F x = load((p.normal.x > 0 ? node.hi : node.lo)[0] + i);
+        const F y = load((p.normal.y > 0 ? node.hi : node.lo)[1] + i);
+        const F z = load((p.normal.z > 0 ? node.hi : node.lo)[2] + i);
+        in = hn::And(in, hn::Gt(affine(p.normal, p.offset, x, y, z), all(0)));
+      }
+      inside |= bits_of(in) << i;
+    }
+    return inside;
+  }
+
+  void take(const TriangleCluster& cluster) {
+    out_.reserve(3 * TriangleCluster::size);
+    for (std::size_t i = 0; i < 8; i += lanes) {
+      F v[3][3];
+      for (int c = 0; c < 3; ++c)
+        for (int axis = 0; axis < 3; ++axis) v[c][axis] = load(cluster.corner[c][axis] + i);
+      const std::size_t count = static_cast<std::size_t>(cluster.count);
+      M in = hn::FirstN(D(), count - std::min(count, i));
+      F lowest = all(0);
+      for (int k = 0; k < shaft_.count; ++k) {
+        const Plane& p = shaft_.planes[k];
+        F at[3];
+        for (int c = 0; c < 3; ++c) at[c] = affine(p.normal, p.offset, v[c][0], v[c][1], v[c][2]);
+        in = hn::And(in, hn::Gt(hn::Max(at[0], hn::Max(at[1], at[2])), all(0)));
+        if (k == 0) lowest = hn::Min(at[0], hn::Min(at[1], at[2]));
+      }
+      if (shaft_.light_epsilon > 0) in = hn::And(in, off_the_light(v));
+      std::uint32_t bits = bits_of(in);
+      if (bits == 0) continue;
+      bits = without_own(cluster, i, bits);
+      // offset of plane 0 = −epsilon − n · origin, so that −2 epsilon here is −epsilon there.
+      const float under = 2 * receiver_epsilon();
+      const std::uint32_t crossing = bits_of(hn::Lt(lowest, all(-under))) & bits;
+      if (cluster.masked) {
+        take_one_by_one(cluster, i, bits, crossing);
+        continue;
+      }
+      for (std::uint32_t b = crossing; b != 0; b &= b - 1)
+        cut_off(cluster, i + static_cast<std::size_t>(std::countr_zero(b)));
+      store(v, bits & ~crossing);
+    }
+  }
+
+  HWY_INLINE M off_the_light(const F v[3][3]) const {
+    const Plane& p = shaft_.light_plane;
+    F most = all(0);
+    for (int c = 0; c < 3; ++c)
+      most = hn::Max(most, hn::Abs(affine(p.normal, p.offset, v[c][0], v[c][1], v[c][2])));
+    return hn::Gt(most, all(shaft_.light_epsilon));
+  }
+
+  std::uint32_t without_own(const TriangleCluster& cluster, std::size_t first,
+                            std::uint32_t bits) const {
+    for (std::uint32_t b = bits; b != 0; b &= b - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(b));
+      const std::uint32_t instance = cluster.instance[first + lane];
+      if (instance == PrimitiveId::none) continue;
+      if (instance == light_instance_ ||
+          (instance == own_.instance() && own_.contain(cluster.triangle[first + lane])))
+        bits &= ~(std::uint32_t{1} << lane);
+    }
+    return bits;
+  }
+
+  void store(const F v[3][3], std::uint32_t bits) {
+    if (bits == 0) return;
+    HWY_ALIGN std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    const M which = hn::LoadMaskBits(D(), bytes);
+    for (int c = 0; c < 3; ++c)
+      for (int axis = 0; axis < 3; ++axis)
+        hn::CompressStore(v[c][axis], which, D(), &out_.corner[c][axis][out_.count]);
+    out_.count += static_cast<std::size_t>(std::popcount(bits));
+  }
+
+  static Vec3 corner_of(const TriangleCluster& cluster, std::size_t lane, int c) {
+    return {cluster.corner[c][0][lane], cluster.corner[c][1][lane], cluster.corner[c][2][lane]};
+  }
+
+  void cut_off(const TriangleCluster& cluster, std::size_t lane) {
+    ClipPolygon polygon{3, {}};
+    for (int c = 0; c < 3; ++c) polygon.corners[c] = Vec3d(corner_of(cluster, lane, c));
+    const Vec3d n(shaft_.planes[0].normal);
+    const double offset = double(shaft_.planes[0].offset) + double(receiver_epsilon());
+    clip(polygon, [&](const Vec3d& p) { return dot(n, p) + offset; });
+    for (int c = 2; c < polygon.count; ++c)
+      out_.add(Vec3(polygon.corners[0]), Vec3(polygon.corners[c - 1]), Vec3(polygon.corners[c]));
+  }
+
+  void take_one_by_one(const TriangleCluster& cluster, std::size_t first, std::uint32_t bits,
+                       std::uint32_t crossing) {
+    for (; bits != 0; bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const std::size_t lane = first + static_cast<std::size_t>(bit);
+      const Vec3 a = corner_of(cluster, lane, 0), b = corner_of(cluster, lane, 1),
+                 c = corner_of(cluster, lane, 2);
+      if (occluders_.mask(cluster.instance[lane]))
+        masked_.push_back({{a, b, c}, cluster.instance[lane], cluster.triangle[lane]});
+      else if (crossing >> bit & 1)
+        cut_off(cluster, lane);
+      else
+        out_.add(a, b, c);
+    }
+  }
+
+  float receiver_epsilon() const { return shaft_.receiver_epsilon; }
+
+  const Occluders& occluders_;
+  const Shaft& shaft_;
+  const OwnTriangles& own_;
+  std::uint32_t light_instance_;
+  TriangleList& out_;
+  std::vector<MaskedTriangle>& masked_;
+};
+
+void collect_in(const Occluders& occluders, const Shaft& shaft, const OwnTriangles& own,
+                int light_instance, TriangleList& out, std::vector<MaskedTriangle>& masked) {
+  if (occluders.levels().empty()) return;
+  Collector(occluders, shaft, own, light_instance, out, masked)
+      .visit(occluders.levels().size() - 1, 0);
+}
+
+}  // namespace penumbra::bake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

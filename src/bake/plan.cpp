@@ -1,0 +1,110 @@
+#include "bake/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/atlas.h"
+#include "base/cancel.h"
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace penumbra::bake {
+namespace {
+
+constexpr double default_texels = 1 << 21;
+// A texel kept: value and two marks; in the page that is filled: colour, alpha, mark, code; of a
+// chart at work: value, place and a point for rays, for each thread and sample.
+constexpr double kept_bytes = 14, page_bytes = 24, work_bytes = 80;
+
+float default_texel_size(const Plan& plan) {
+  double area = 0;
+  for (std::size_t i = 0; i < plan.meshes.size(); ++i) {
+    if (!plan.receives[i]) continue;
+    for (std::uint32_t t = 0; t < plan.meshes[i]->triangle_count(); ++t)
+      area += plan.meshes[i]->area(t) * (plan.backs[i] ? 2.0 : 1.0);
+  }
+  return static_cast<float>(std::sqrt(area / default_texels));
+}
+
+double needed_bytes(const Plan& plan, int supersample) {
+  double texels = 0, largest = 0;
+  for (const CutChart& chart : plan.charts) {
+    const double n = static_cast<double>(chart.shape.width) * chart.shape.height;
+    texels += n, largest = std::max(largest, n);
+  }
+  const double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
+  return kept_bytes * texels + page_bytes * page +
+         work_bytes * supersample * supersample * std::min(largest * thread_count(), texels);
+}
+
+void check_memory(const Plan& plan, const TextureOptions& options) {
+  const double needed = needed_bytes(plan, options.supersample);
+  const auto most = static_cast<double>(options.most_bytes);
+  if (most == 0 || needed <= most) return;
+  const double fitting = plan.texel_size * std::sqrt(needed / most) * 1.05;
+  throw InputError(
+      fmt::format("--texel-size: texels of {:.3g} m need {:.0f} MB of memory and {:.0f} MB may be "
+                  "taken",
+                  plan.texel_size, needed / 1e6, most / 1e6),
+      fmt::format("give --texel-size {:.3g}, or more by --max-memory", fitting));
+}
+
+void cut(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,
+         Plan& plan) {
+  const std::size_t count = plan.meshes.size();
+  std::vector<std::vector<CutChart>> charts(count);
+  std::vector<ChartRemarks> remarks(count);
+  ChartOptions options;
+  options.texel_size = plan.texel_size;
+  options.most_texels = largest_page - 2 * gutter;
+  parallel_for(count, [&](std::size_t i) {
+    if (!plan.receives[i]) return;
+    for (const bool back : {false, true}) {
+      if (back && !plan.backs[i]) continue;
+      auto some = cut_charts(scene, *plan.meshes[i], *adjacencies[i], back, options, remarks[i]);
+      std::ranges::move(some, std::back_inserter(charts[i]));
+    }
+  });
+  const auto append = [](std::vector<std::string>& to, const std::vector<std::string>& from) {
+    for (const std::string& name : from)
+      if (std::ranges::find(to, name) == to.end()) to.push_back(name);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    std::ranges::move(charts[i], std::back_inserter(plan.charts));
+    append(plan.remarks.coarse, remarks[i].coarse);
+    append(plan.remarks.blurred, remarks[i].blurred);
+  }
+}
+
+}  // namespace
+
+std::uint64_t Plan::texel_count() const {
+  std::uint64_t sum = 0;
+  for (const CutChart& chart : charts)
+    sum += static_cast<std::uint64_t>(chart.shape.width) *
+           static_cast<std::uint64_t>(chart.shape.height);
+  return sum;
+}
+
+Plan make_plan(const Scene& scene, const TextureOptions& options) {
+  Plan plan;
+  plan.receives = receivers_of(scene, options.receivers);
+  const std::size_t count = scene.instances.size();
+  plan.meshes.resize(count);
+  std::vector<std::unique_ptr<Adjacency>> adjacencies(count);
+  std::vector<std::uint8_t> backs(count);
+  parallel_for(count, [&](std::size_t i) {
+    plan.meshes[i] = std::make_unique<WorldMesh>(scene, static_cast<std::uint32_t>(i));
+    adjacencies[i] = std::make_unique<Adjacency>(*plan.meshes[i]);
+    backs[i] = has_back(scene, *plan.meshes[i], *adjacencies[i]);
+  });
+  plan.backs.assign(backs.begin(), backs.end());
+  plan.texel_size = options.texel_size.value_or(default_texel_size(plan));
+  cut(scene, adjacencies, plan);
+  check_memory(plan, options);
+  return plan;
+}
+
+}  // namespace penumbra::bake

@@ -1,0 +1,35 @@
+// What a bake will do, known before its work begins.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bake/cut_charts.h"
+
+namespace penumbra::bake {
+
+/// What a person may choose of textures.
+struct TextureOptions {
+  std::optional<float> texel_size;     ///< metres; none: so that all receivers take 2²¹ texels
+  bool power_of_two = false;           ///< sides of atlas pages
+  int supersample = 1;                 ///< points along each side of a texel, 1 to 8
+  std::vector<std::string> receivers;  ///< objects by name; empty: those that say so
+  std::uint64_t most_bytes = 0;        ///< of memory for texels; 0: no limit
+};
+
+struct Plan {
+  float texel_size = 0;
+  std::vector<std::unique_ptr<WorldMesh>> meshes;  ///< by instance
+  std::vector<bool> receives;                      ///< by instance
+  std::vector<bool> backs;                         ///< by instance: its back is seen
+  std::vector<CutChart> charts;
+  ChartRemarks remarks;
+
+  std::uint64_t texel_count() const;
+};
+
+/// Cuts all receivers into charts. Throws InputError where nothing receives, or, telling the texel
+/// size that would do, where texels need more than most_bytes. Keeps a reference to the scene.
+Plan make_plan(const Scene& scene, const TextureOptions& options);
+
+}  // namespace penumbra::bake
