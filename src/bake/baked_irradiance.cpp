@@ -1,5 +1,7 @@
 #include "bake/baked_irradiance.h"
 
+#include <algorithm>
+
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
@@ -91,6 +93,41 @@ void BakedIrradiance::of_points(std::span<const SurfacePoint> points, std::span<
         const SampledLight light = p.sampler.sample(l, patch);
         out[i] += light.emission * p.rays.light(r, light).irradiance;
       }
+    }
+  });
+}
+
+void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t light,
+                                       std::span<float> out) const {
+  const Parts& p = *parts_;
+  SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
+  if (p.raster) {
+    sampled.emission = Vec3(1);
+    std::vector<Vec3> all(out.size());
+    p.raster->irradiance(chart, {sampled}, all);
+    std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
+    return;
+  }
+  const auto width = static_cast<std::size_t>(chart.width);
+  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      out[i] =
+          p.rays
+              .light({chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
+                      chart.normal},
+                     sampled)
+              .irradiance;
+  });
+}
+
+void BakedIrradiance::unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
+                                       std::span<float> out) const {
+  const Parts& p = *parts_;
+  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Receiver r = p.rays.receiver(points[i]);
+      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
+      out[i] = p.rays.light(r, p.sampler.sample(light, patch)).irradiance;
     }
   });
 }

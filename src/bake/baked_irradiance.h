@@ -24,6 +24,11 @@ class BakedIrradiance final : public Irradiance {
   /// Always by rays.
   void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override;
 
+  /// The irradiance of one light, per unit of its emission.
+  void unit_irradiances(const PlanarChart& chart, std::size_t light, std::span<float> out) const;
+  void unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
+                        std::span<float> out) const;
+
   /// The visible fraction of one light, in [0, 1], at every texel; at points.
   void visible_fractions(const PlanarChart& chart, std::size_t light, std::span<float> out) const;
   void visible_fractions(std::span<const SurfacePoint> points, std::size_t light,

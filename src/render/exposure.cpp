@@ -42,8 +42,8 @@ SeenLuminances look(const World& world, const CameraRays& camera, const DirectLi
   std::vector<Vec3> radiance;
   ShadowCounts counts;
   trace(world, materials, grid_rays(camera), points);
-  PointShader().shade(lights, shadows, ambient, points, exposure_grid_width, radiance, nullptr,
-                      counts);
+  PointShader().shade(lights, shadows, nullptr, ambient, points, exposure_grid_width, radiance,
+                      nullptr, counts);
   SeenLuminances seen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ShadingPoint& p = points[i].shading;

@@ -42,7 +42,8 @@ struct FieldTiles::Points {
 
 std::optional<FieldTiles> FieldTiles::of(const RenderSetup& setup) {
   const Scene& scene = setup.world.scene();
-  const bool by_fraction = !setup.shadows.sums_light_points() && !setup.shadows.adaptive();
+  const bool by_fraction =
+      !setup.options.known && !setup.shadows.sums_light_points() && !setup.shadows.adaptive();
   if (!setup.world.has_only_solids() || !by_fraction || wants_layers(setup.options) ||
       !std::ranges::all_of(scene.materials, is_plainly_diffuse))
     return std::nullopt;

@@ -26,6 +26,20 @@ void PointShader::find_unshadowed(const DirectLight& lights, std::size_t light, 
   }
 }
 
+void PointShader::look_up(const KnownLight& known, std::size_t light,
+                          std::span<const TilePoint> points) {
+  irradiances_.resize(points.size()), fractions_.resize(points.size());
+  known.irradiances(light, points, irradiances_);
+  known.visible_fractions(light, points, fractions_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float unshadowed = unshadowed_[i].irradiance;
+    float part = unshadowed > 0 ? irradiances_[i] / unshadowed : 0;
+    if (irradiances_[i] < 0) part = 1;
+    const float fraction = fractions_[i] < 0 ? std::min(part, 1.0f) : fractions_[i];
+    arrivals_[i] = {part, fraction, {fraction, 0}};
+  }
+}
+
 void PointShader::add(const Vec3& emission, std::span<const TilePoint> points,
                       std::vector<Vec3>& radiance) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -39,8 +53,8 @@ void PointShader::add(const Vec3& emission, std::span<const TilePoint> points,
   }
 }
 
-void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const Vec3& ambient,
-                        std::span<const TilePoint> points, int tile_width,
+void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const KnownLight* known,
+                        const Vec3& ambient, std::span<const TilePoint> points, int tile_width,
                         std::vector<Vec3>& radiance, ArrivalObserver* observer,
                         ShadowCounts& counts) {
   const std::size_t count = points.size();
@@ -52,7 +66,10 @@ void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const
     radiance[i] = ambient * (points[i].shading.diffuse + points[i].shading.specular);
   for (std::size_t light = 0; light < lights.size(); ++light) {
     find_unshadowed(lights, light, horizon_of(shadows), observer != nullptr, points);
-    tile_visibility(shadows, light, points, asked_, tile_width, arrivals_, light_points_, counts);
+    if (known)
+      look_up(*known, light, points);
+    else
+      tile_visibility(shadows, light, points, asked_, tile_width, arrivals_, light_points_, counts);
     add(lights.emission(light), points, radiance);
     if (observer) observer->arrived(light, points, arrivals_);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/direct_light.h"
+#include "render/known_light.h"
 #include "render/tile_visibility.h"
 
 namespace penumbra {
@@ -24,9 +25,10 @@ class PointShader {
   /// Writes to radiance[i] what points[i] reflects of lights and ambient light, without emission
   /// and mirrors. Points that a light cannot brighten are not asked for their visibility unless an
   /// observer wants to know it.
-  void shade(const DirectLight& lights, const Shadows& shadows, const Vec3& ambient,
-             std::span<const TilePoint> points, int tile_width, std::vector<Vec3>& radiance,
-             ArrivalObserver* observer, ShadowCounts& counts);
+  /// `known`: takes the place of `shadows`; null: nothing is known.
+  void shade(const DirectLight& lights, const Shadows& shadows, const KnownLight* known,
+             const Vec3& ambient, std::span<const TilePoint> points, int tile_width,
+             std::vector<Vec3>& radiance, ArrivalObserver* observer, ShadowCounts& counts);
 
  private:
   struct Unshadowed {
@@ -36,11 +38,13 @@ class PointShader {
 
   void find_unshadowed(const DirectLight& lights, std::size_t light, Horizon horizon, bool ask_all,
                        std::span<const TilePoint> points);
+  void look_up(const KnownLight& known, std::size_t light, std::span<const TilePoint> points);
   void add(const Vec3& emission, std::span<const TilePoint> points, std::vector<Vec3>& radiance);
 
   std::vector<Unshadowed> unshadowed_;
   std::vector<std::uint8_t> asked_;
   std::vector<LightArrival> arrivals_;
+  std::vector<float> irradiances_, fractions_;  ///< known ones
   std::vector<LightPoint> light_points_;
 };
 

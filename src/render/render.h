@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "geometry/world.h"
 #include "image/image.h"
+#include "render/known_light.h"
 #include "shadow/shadows.h"
 
 namespace penumbra {
@@ -21,6 +22,7 @@ struct RenderOptions {
   std::optional<float> exposure_ev;  ///< none = from the scene (exposure.h)
   int camera = 0;                    ///< index into Scene::cameras
   ShadowOptions shadows;
+  const KnownLight* known = nullptr;   ///< heckbert_herf: light that was baked before; else null
   sdf::ConversionOptions conversions;  ///< OpenGL: of meshes; a World has its own
   int mirror_depth = 5;                ///< reflections followed, 0 = none
   float time = 0;                      ///< of shaders: iTime, seconds

@@ -11,7 +11,8 @@ namespace penumbra {
 /// A surface seen by a sample of a pixel, directly or in mirrors.
 struct TilePoint {
   ShadingPoint shading;
-  Receiver receiver;            ///< for visibility queries
+  Receiver receiver;  ///< for visibility queries
+  PrimitiveId primitive;
   Vec3 normal;                  ///< geometric, unit, towards the viewer
   Vec3 throughput;              ///< what of its radiance reaches the pixel
   float t = 0;                  ///< metres along the ray that met it

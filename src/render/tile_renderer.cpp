@@ -48,6 +48,7 @@ void set_point(TilePoint& point, const TileRay& ray, const Hit& hit, const Surfa
   point.spread = ray.beam.spread;
   point.shading = materials.at(surface, -ray.beam.ray.direction, point.width);
   point.receiver = receiver_of(surface);
+  point.primitive = surface.primitive;
   point.normal = surface.normal;
   point.throughput = ray.throughput;
   point.t = hit.t;
@@ -118,8 +119,8 @@ void shade_generation(const RenderSetup& setup, int tile_width, ArrivalObserver*
                       TileScratch& scratch, PixelSums& sums, ShadowCounts& counts) {
   const Scene& scene = setup.world.scene();
   add_background(scene.background, scratch.rays, scratch.points, sums);
-  scratch.shader.shade(setup.lights, setup.shadows, setup.ambient, scratch.points, tile_width,
-                       scratch.radiance, observer, counts);
+  scratch.shader.shade(setup.lights, setup.shadows, setup.options.known, setup.ambient,
+                       scratch.points, tile_width, scratch.radiance, observer, counts);
   for (std::size_t i = 0; i < scratch.points.size(); ++i) {
     const TilePoint& p = scratch.points[i];
     sums.add(p.pixel, p.throughput * (scratch.radiance[i] + p.shading.emission));

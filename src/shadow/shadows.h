@@ -19,6 +19,7 @@ enum class ShadowKind : std::uint8_t {
   hard,
   area,
   parker,
+  heckbert_herf,  ///< baked before (render/known_light.h): not asked of Shadows
   sdf_classic,
   sdf_improved,
   sdf_inner
