@@ -11,7 +11,7 @@ namespace penumbra {
 namespace {
 
 constexpr int kEmptyUnit = 7;  // no texture is ever bound there
-constexpr int kMeshUnit = 5;
+constexpr int kMeshUnit = 5, kLightUnit = 6;
 
 [[noreturn]] void refuse(const gl::CompileError& error, const FieldText& field) {
   const auto& messages = error.messages();
@@ -47,30 +47,41 @@ void set_view(gl::Program& program, const ShaderView& view) {
   program.set("iFrame", 0);
 }
 
+// Texels in rows; false if there are too many.
+bool write_rows(std::vector<float> texels, int row, int longest_side,
+                std::optional<gl::Texture>& texture) {
+  const std::size_t width = static_cast<std::size_t>(row), count = texels.size() / 4;
+  const std::size_t rows = (count + width - 1) / width;
+  if (count == 0) return true;
+  if (rows > static_cast<std::size_t>(longest_side)) return false;
+  texture.emplace(row, static_cast<int>(rows));
+  texels.resize(4 * width * rows);
+  texture->write(row, static_cast<int>(rows), texels);
+  return true;
+}
+
 }  // namespace
 
-MeshTexture::MeshTexture(const FieldText& field, int longest_side) {
-  const std::size_t count = field.mesh_texels.size() / 4;
-  if (count == 0) return;
-  constexpr std::size_t row = sdf::mesh_texel_row;
-  const std::size_t rows = (count + row - 1) / row;
-  if (rows > static_cast<std::size_t>(longest_side))
+SceneTextures::SceneTextures(const FieldText& field, const ShaderLights& lights, int longest_side) {
+  if (!write_rows(field.mesh_texels, sdf::mesh_texel_row, longest_side, meshes_))
     throw InputError("--device gl: the distances to the scene's meshes fit no texture",
                      "give a greater --voxel-size, or use --device cpu");
-  texture_.emplace(static_cast<int>(row), static_cast<int>(rows));
-  std::vector<float> texels = field.mesh_texels;
-  texels.resize(4 * row * rows);
-  texture_->write(static_cast<int>(row), static_cast<int>(rows), texels);
+  if (!write_rows(lights.texels, light_texel_row, longest_side, lights_))
+    throw InputError("--device gl: the emissive meshes have more faces than a texture holds",
+                     "use --device cpu, or fewer faces");
 }
 
-void MeshTexture::give(gl::Program& program) const {
-  if (!texture_) return;
-  texture_->bind(kMeshUnit);
-  program.set("pnb_mesh_texels", kMeshUnit);
+void SceneTextures::give(gl::Program& program) const {
+  const auto bind = [&](const std::optional<gl::Texture>& texture, const char* name, int unit) {
+    if (!texture) return;
+    texture->bind(unit);
+    program.set(name, unit);
+  };
+  bind(meshes_, "pnb_mesh_texels", kMeshUnit);
+  bind(lights_, "pnb_light_texels", kLightUnit);
 }
 
-std::unique_ptr<gl::Program> field_program(const FieldText& field,
-                                           const std::vector<ShaderLight>& lights,
+std::unique_ptr<gl::Program> field_program(const FieldText& field, const ShaderLights& lights,
                                            const ShadowOptions& shadows, ShaderTask task,
                                            const ShaderView& view) {
   std::unique_ptr<gl::Program> program;

@@ -33,7 +33,7 @@ class PictureDrawer {
         field_(field),
         options_(options),
         lights_(shader_lights(scene)),
-        meshes_(field, context.longest_side()),
+        textures_(field, lights_, context.longest_side()),
         ambient_(scene.ambient) {}
 
   RenderResult draw(Progress& progress);
@@ -59,8 +59,8 @@ class PictureDrawer {
   const Scene& scene_;
   const FieldText& field_;
   const RenderOptions& options_;
-  std::vector<ShaderLight> lights_;
-  MeshTexture meshes_;
+  ShaderLights lights_;
+  SceneTextures textures_;
   Vec3 ambient_;
   std::vector<PictureDraw> draws_;
   int points_at_a_time_ = 64;
@@ -73,7 +73,7 @@ std::unique_ptr<gl::Program> PictureDrawer::program(const ShadowOptions& shadows
                                                     int width, int height,
                                                     const Vec3& ambient) const {
   auto made = field_program(field_, lights_, shadows, task, {width, height, options_.time});
-  meshes_.give(*made);
+  textures_.give(*made);
   set_camera(*made, CameraRays(view(), width, height));
   made->set("pnb_ambient", ambient.x, ambient.y, ambient.z);
   const Vec3& sky = scene_.background;
@@ -94,7 +94,7 @@ float PictureDrawer::exposure(const Vec3& ambient) const {
   std::vector<Vec3> radiance(static_cast<std::size_t>(width) * height), unlit = radiance;
   std::vector<float> surfaces, notes;
   for (const PictureDraw& draw : picture_draws(scene_, hard, 1, 1)) {
-    set_draw(*coarse, draw, lights_);
+    set_draw(*coarse, draw, lights_.list);
     target.use();
     coarse->draw(width, height);
     const std::vector<float> color = target.read(0, width, height);
@@ -136,7 +136,7 @@ void PictureDrawer::draw_sample(gl::Program& program, const gl::Target& target, 
   int generation = 0;
   for (const PictureDraw& draw : draws_) {
     throw_if_cancelled();
-    set_draw(program, draw, lights_);
+    set_draw(program, draw, lights_.list);
     if (draw.by_points()) {
       if (draw.generation < generation) set_streams(bands, sample), generation = 0;
       for (; generation < draw.generation; ++generation)
@@ -173,7 +173,7 @@ RenderResult PictureDrawer::empty_result() const {
   const RenderOptions& o = options_;
   RenderResult result;
   result.color = Image(o.width, o.height, 3);
-  if (o.want_visibility) result.visibility.assign(lights_.size(), Image(o.width, o.height, 1));
+  if (o.want_visibility) result.visibility.assign(lights_.list.size(), Image(o.width, o.height, 1));
   if (o.want_depth) result.depth = Image(o.width, o.height, 1);
   if (o.want_normal) result.normal = Image(o.width, o.height, 3);
   if (o.want_steps) result.steps = Image(o.width, o.height, 1);

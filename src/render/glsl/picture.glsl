@@ -36,13 +36,14 @@ float pnb_by_points(pnb_Light l, pnb_Point q, out vec4 sums) {
   float seen = 0.0;
   sums = vec4(0.0);
   vec4 pattern = texelFetch(pnb_patterns, ivec2(gl_FragCoord.xy), 0);
+  float seen_area = pnb_seen_area(l, q.position);
   for (int i = pnb_first_point; i < pnb_last_point; ++i) {
     vec3 d;
     float reach, weight;
-    pnb_light_point(l, q.position, pattern, i, d, reach, weight);
+    pnb_light_point(l, q.position, pattern, i, seen_area, d, reach, weight);
     float nl = dot(q.normal, d);
     if (nl <= 0.0) continue;
-    float visible = pnb_visible(q.position, q.normal, d, reach);
+    float visible = pnb_visible(q.position, q.normal, d, reach, l.own);
     seen += visible;
     sums.xy += weight * nl * vec2(visible, 1.0);
 #ifdef PNB_GLOSSY

@@ -62,18 +62,25 @@ float pnb_epsilon(vec3 p) {
   return 1e-5 * max(max(a.x, a.y), max(a.z, 1e-3 * length(pnb_high - pnb_low)));
 }
 
-// 1 if nothing stands between the surface point p and the distance maxt along rd.
-float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt) {
+// 1 if nothing but the instance `own` stands between the surface point p and the distance maxt
+// along rd.
+float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt, int own) {
   float e = pnb_epsilon(p), t = e;
   vec3 ro = p + n * (2.0 * e);
   maxt = min(maxt, pnb_way(ro, rd).y);
-  for (int i = 0; i < pnb_most_steps; ++i) {
-    if (t >= maxt) return 1.0;
+  pnb_own = own;
+  float seen = -1.0;
+  for (int i = 0; i < pnb_most_steps && seen < 0.0; ++i) {
+    if (t >= maxt) {
+      seen = 1.0;
+      break;
+    }
     float h = pnb_surface(ro + rd * t);
     ++pnb_steps;
-    if (h < e) return 0.0;
+    if (h < e) seen = 0.0;
     t += h;
   }
-  pnb_unfinished = true;
-  return 0.0;
+  pnb_own = -1;
+  if (seen < 0.0) pnb_unfinished = true;
+  return max(seen, 0.0);
 }

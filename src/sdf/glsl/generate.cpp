@@ -69,22 +69,29 @@ class SceneText {
     shades_ += fmt::format("  e = {}_shade(p, o);\n  if (e < d) d = e, m = o;\n", name);
   }
 
+  /// `own`: the instance that pnb_own may take out, or −1.
   void add_shape(const std::string& value, const std::string& surface, std::uint32_t material,
-                 std::uint32_t object) {
+                 std::uint32_t object, int own = -1) {
     const std::string name = comment(scene_.objects[object].name);
     values_ += fmt::format("  d = min(d, {});  // {}\n", value, name);
-    surfaces_ += fmt::format("  d = min(d, {});  // {}\n", surface, name);
+    const std::string unless = own < 0 ? "" : fmt::format("if (pnb_own != {}) ", own);
+    surfaces_ += fmt::format("  {}d = min(d, {});  // {}\n", unless, surface, name);
     signed_ += fmt::format("  d = pnb_nearer(d, {});  // {}\n", value, name);
     add_shade(surface, material);
   }
 
-  void add_solid(const std::string& value, std::uint32_t material, std::uint32_t object) {
-    add_shape(value, "abs(" + value + ")", material, object);
+  void add_solid(const std::string& value, std::uint32_t material, std::uint32_t object,
+                 int own = -1) {
+    add_shape(value, "abs(" + value + ")", material, object, own);
   }
 
   void add_shade(const std::string& value, std::uint32_t material) {
     shades_ +=
         fmt::format("  e = {};\n  if (e < d) d = e, m = pnb_material_of({});\n", value, material);
+  }
+
+  int own_of(const Instance& instance) const {
+    return instance.mesh_light < 0 ? -1 : static_cast<int>(&instance - scene_.instances.data());
   }
 
   void add_mesh(std::size_t index) {
@@ -94,7 +101,7 @@ class SceneText {
       const Vec3d lo(box->lo), hi(box->hi);
       return add_solid(
           fmt::format("pnb_sd_box(p - {}, {})", vector((lo + hi) * 0.5), vector((hi - lo) * 0.5)),
-          instance.material, instance.object);
+          instance.material, instance.object, own_of(instance));
     }
     if (const auto* q = std::get_if<ExactQuad>(&mesh.exact))
       return add_outline({q->corner, q->corner + q->edge_u, q->corner + q->edge_u + q->edge_v,
@@ -125,7 +132,8 @@ class SceneText {
         vector(Vec3d(from_world.y) * unit), vector(Vec3d(from_world.z) * unit),
         vector((Vec3d(from_world.point(Vec3d())) - frame.center) * unit),
         number(placed->scale * frame.side), texels_.add(*placed->grid));
-    add_shape(name + "(p, true)", name + "(p, false)", instance.material, instance.object);
+    add_shape(name + "(p, true)", name + "(p, false)", instance.material, instance.object,
+              own_of(instance));
     if (!mesh.normals.empty())
       warn_once(fmt::format("the mesh \"{}\" is shown without its vertex normals in shaders",
                             comment(mesh.name)));
@@ -157,7 +165,7 @@ class SceneText {
         "  return pnb_sheet({0}_outline(q.xy), q.z);\n}}\n",
         name, comment(scene_.objects[instance.object].name), vector(origin), vector(u), vector(v),
         vector(w));
-    add_shape(name + "(p)", name + "(p)", instance.material, instance.object);
+    add_shape(name + "(p)", name + "(p)", instance.material, instance.object, own_of(instance));
   }
 
   const Scene& scene_;

@@ -24,7 +24,8 @@ bool has_shapes(const Scene& scene);
 ///   float pnb_scene_surface(vec3 p)   the same where no solid but the sdf objects has an inside
 ///   float pnb_scene_signed(vec3 p)    of the object whose surface is nearest to p
 ///   pnb_Material pnb_scene_material(vec3 p, out float d)   d: pnb_scene_surface(p)
-/// Before it must stand the type pnb_Material, pnb_material_of(int) for indices into
+/// The second leaves out the instance whose number is in pnb_own if that is a mesh light.
+/// Before it must stand the type pnb_Material, int pnb_own, pnb_material_of(int) for indices into
 /// Scene::materials, and pnb_mix_materials(a, b, share of b). Works without recursion: any depth.
 /// Other meshes than boxes, quads and polygons take their distances from `meshes`, by a texture
 /// with mesh_texels, in rows of mesh_texel_row; InputError for one where that is empty.
