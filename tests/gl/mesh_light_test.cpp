@@ -71,6 +71,7 @@ TEST_F(MeshLights, PicturesEqualTheProcessors) {
                                   ShadowKind::sdf_classic, ShadowKind::sdf_inner}) {
       RenderOptions options = testing::small(kind);
       options.width = 192, options.height = 128;
+      options.exposure_ev = 0;
       options.shadows.light_samples = 4;
       EXPECT_LT(testing::difference(scene, options), 0.001)
           << lamp << ' ' << testing::name_of(kind);

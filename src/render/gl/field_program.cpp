@@ -5,13 +5,14 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "render/glsl/mask_text.h"
 #include "sdf/glsl/generate.h"
 
 namespace penumbra {
 namespace {
 
 constexpr int kEmptyUnit = 7;  // no texture is ever bound there
-constexpr int kMeshUnit = 5, kLightUnit = 6;
+constexpr int kMeshUnit = 5, kLightUnit = 6, kImageUnit = 8, kMaskUnit = 9;
 
 [[noreturn]] void refuse(const gl::CompileError& error, const FieldText& field) {
   const auto& messages = error.messages();
@@ -48,15 +49,17 @@ void set_view(gl::Program& program, const ShaderView& view) {
 }
 
 // Texels in rows; false if there are too many.
-bool write_rows(std::vector<float> texels, int row, int longest_side,
+template <class Channel>
+bool write_rows(std::vector<Channel> texels, int row, int longest_side,
                 std::optional<gl::Texture>& texture) {
   const std::size_t width = static_cast<std::size_t>(row), count = texels.size() / 4;
   const std::size_t rows = (count + width - 1) / width;
   if (count == 0) return true;
   if (rows > static_cast<std::size_t>(longest_side)) return false;
-  texture.emplace(row, static_cast<int>(rows));
+  texture.emplace(row, static_cast<int>(rows),
+                  sizeof(Channel) == 1 ? gl::Texture::Kind::bytes : gl::Texture::Kind::floats);
   texels.resize(4 * width * rows);
-  texture->write(row, static_cast<int>(rows), texels);
+  texture->write(row, static_cast<int>(rows), std::span<const Channel>(texels));
   return true;
 }
 
@@ -69,6 +72,10 @@ SceneTextures::SceneTextures(const FieldText& field, const ShaderLights& lights,
   if (!write_rows(lights.texels, light_texel_row, longest_side, lights_))
     throw InputError("--device gl: the emissive meshes have more faces than a texture holds",
                      "use --device cpu, or fewer faces");
+  if (!write_rows(field.images, image_texel_row, longest_side, images_) ||
+      !write_rows(field.masks, mask_texel_row, longest_side, masks_))
+    throw InputError("--device gl: the scene's textures are more than one texture holds",
+                     "use --device cpu, or smaller textures");
 }
 
 void SceneTextures::give(gl::Program& program) const {
@@ -79,6 +86,8 @@ void SceneTextures::give(gl::Program& program) const {
   };
   bind(meshes_, "pnb_mesh_texels", kMeshUnit);
   bind(lights_, "pnb_light_texels", kLightUnit);
+  bind(images_, "pnb_images", kImageUnit);
+  bind(masks_, "pnb_masks", kMaskUnit);
 }
 
 std::unique_ptr<gl::Program> field_program(const FieldText& field, const ShaderLights& lights,

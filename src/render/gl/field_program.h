@@ -20,7 +20,7 @@ class SceneTextures {
   void give(gl::Program& program) const;
 
  private:
-  std::optional<gl::Texture> meshes_, lights_;
+  std::optional<gl::Texture> meshes_, lights_, images_, masks_;
 };
 
 /// What the program is told of the whole picture.

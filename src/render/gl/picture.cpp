@@ -1,6 +1,7 @@
 #include "render/gl/picture.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "base/cancel.h"
 #include "render/exposure.h"
@@ -41,8 +42,9 @@ class PictureDrawer {
  private:
   const Camera& view() const { return scene_.cameras[static_cast<std::size_t>(options_.camera)]; }
   int generations() const { return field_.mirrors ? options_.mirror_depth + 1 : 1; }
+  /// `samples`: a pixel's.
   std::unique_ptr<gl::Program> program(const ShadowOptions& shadows, ShaderTask task, int width,
-                                       int height, const Vec3& ambient) const;
+                                       int height, const Vec3& ambient, int samples) const;
   float exposure(const Vec3& ambient) const;
   void draw_band(gl::Program& program, const gl::Target& target, const Bands& bands,
                  BandSums& sums);
@@ -70,11 +72,15 @@ class PictureDrawer {
 };
 
 std::unique_ptr<gl::Program> PictureDrawer::program(const ShadowOptions& shadows, ShaderTask task,
-                                                    int width, int height,
-                                                    const Vec3& ambient) const {
+                                                    int width, int height, const Vec3& ambient,
+                                                    int samples) const {
   auto made = field_program(field_, lights_, shadows, task, {width, height, options_.time});
   textures_.give(*made);
-  set_camera(*made, CameraRays(view(), width, height));
+  const CameraRays camera(view(), width, height);
+  set_camera(*made, camera);
+  const CameraRay middle = camera.at(0, 0);
+  const float share = 1 / std::sqrt(static_cast<float>(samples));
+  made->set("pnb_beam", middle.width * share, middle.spread * share);
   made->set("pnb_ambient", ambient.x, ambient.y, ambient.z);
   const Vec3& sky = scene_.background;
   made->set("pnb_background", sky.x, sky.y, sky.z);
@@ -86,7 +92,7 @@ float PictureDrawer::exposure(const Vec3& ambient) const {
   constexpr int width = exposure_grid_width, height = exposure_grid_height;
   ShadowOptions hard;
   hard.kind = ShadowKind::hard;
-  auto coarse = program(hard, ShaderTask::picture_with_layers, width, height, ambient);
+  auto coarse = program(hard, ShaderTask::picture_with_layers, width, height, ambient, 1);
   coarse->set("pnb_mirrors", 0);
   coarse->set("pnb_unlit_too", 1);
   coarse->set("pnb_in_pixel", 0.5f, 0.5f);
@@ -193,7 +199,7 @@ RenderResult PictureDrawer::draw(Progress& progress) {
   const bool layers = wants_layers(options_);
   auto shader =
       program(options_.shadows, layers ? ShaderTask::picture_with_layers : ShaderTask::picture,
-              options_.width, options_.height, ambient_);
+              options_.width, options_.height, ambient_, options_.spp);
   shader->set("pnb_ask_all", options_.want_visibility || options_.want_steps ? 1 : 0);
   draws_ = wanted_draws();
   Bands bands(options_.width, options_.height, context_.longest_side());

@@ -39,6 +39,7 @@ std::string field_functions(const FieldText& field, const ShaderLights& lights,
   text += lights_by_uniforms(!lights.texels.empty());
   text += '\n';
   text += shader_text("trace.glsl");
+  text += shader_text("surface.glsl");
   text += fraction_function(shadows);
   text += shader_text("notes.glsl");
   if (field.glossy) text += shader_text("glossy.glsl");

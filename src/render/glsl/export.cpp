@@ -124,6 +124,7 @@ std::string shadertoy_text(const Scene& scene, const FieldText& field, const Ren
   text += '\n' + light_functions(lights.list, kind == ShadowKind::hard) + light_list(scene, lights);
   text += '\n';
   text += shader_text("trace.glsl");
+  text += shader_text("surface.glsl");
   text += fraction_function(options.shadows);
   if (field.glossy) text += shader_text("glossy.glsl");
   text += shader_text("shadertoy.glsl");

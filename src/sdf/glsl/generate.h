@@ -12,6 +12,7 @@ namespace penumbra::sdf {
 struct GlslField {
   std::string text;
   std::vector<float> mesh_texels;  ///< four floats a texel, for pnb_mesh_texels; see mesh.glsl
+  bool has_meshes = false;         ///< by pnb_mesh_texels; the text defines PNB_MESHES then
   std::vector<std::string> warnings;
 };
 
@@ -23,7 +24,9 @@ bool has_shapes(const Scene& scene);
 ///   float pnb_scene(vec3 p)
 ///   float pnb_scene_surface(vec3 p)   the same where no solid but the sdf objects has an inside
 ///   float pnb_scene_signed(vec3 p)    of the object whose surface is nearest to p
-///   pnb_Material pnb_scene_material(vec3 p, out float d)   d: pnb_scene_surface(p)
+///   bool pnb_scene_is_rounded(vec3 p)   true where an sdf object's surface is nearest
+///   float pnb_scene_shapes(vec3 p)   pnb_scene_surface without meshes that are in the texture
+///   pnb_Material pnb_scene_material(vec3 p, out float d)   of these; d: pnb_scene_shapes(p)
 /// The second leaves out the instance whose number is in pnb_own if that is a mesh light.
 /// Before it must stand the type pnb_Material, int pnb_own, pnb_material_of(int) for indices into
 /// Scene::materials, and pnb_mix_materials(a, b, share of b). Works without recursion: any depth.
