@@ -82,8 +82,9 @@ float penumbra_shadow_blog(vec3 ro, vec3 rd, float mint, float maxt, float w) {
   return res;
 }
 
-// Aaltonen: the nearest miss lies where the spheres of this step and the last one meet, y = h h / 2ph
-// before the present point and d = sqrt(h h - y y) from the ray; the least of d / (t - y) counts.
+// Aaltonen: the nearest miss lies where the spheres of this step and the last one meet,
+// y = h h / 2ph before the present point and d = sqrt(h h - y y) from the ray; the least of
+// d / (t - y) counts.
 // Here as its square, ph brought out of both: h h (4 ph ph - h h) / (2 ph t - h h)^2.
 float penumbra_shadow_improved(vec3 ro, vec3 rd, float mint, float maxt, float w) {
   float res2 = 1e20;

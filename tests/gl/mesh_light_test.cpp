@@ -67,15 +67,47 @@ TEST_F(MeshLights, PicturesEqualTheProcessors) {
     const Scene scene = scene_with(lamp);
     ASSERT_EQ(scene.lights.size(), 1u);
     ASSERT_EQ(scene.lights[0].type, LightType::mesh);
-    for (const ShadowKind kind : {ShadowKind::none, ShadowKind::hard, ShadowKind::area,
-                                  ShadowKind::sdf_classic, ShadowKind::sdf_inner}) {
+    for (const ShadowKind kind : {ShadowKind::hard, ShadowKind::area, ShadowKind::sdf_inner}) {
       RenderOptions options = testing::small(kind);
-      options.width = 192, options.height = 128;
+      options.width = 144, options.height = 96;
       options.exposure_ev = 0;
       options.shadows.light_samples = 4;
       EXPECT_LT(testing::difference(scene, options), 0.001)
           << lamp << ' ' << testing::name_of(kind);
     }
+  }
+}
+
+TEST_F(MeshLights, ExportedShadersShowTheSamePicture) {
+  const Scene scene = scene_with(kBox);
+  const RenderOptions options = testing::small(ShadowKind::hard);
+  Progress silent;
+  std::vector<std::string> warnings;
+  const test::TemporaryFolder folder;
+  write_file(folder / "a.glsl", export_shadertoy(scene, options, "scene.json", silent, warnings));
+  EXPECT_LT(testing::difference(testing::drawn_picture(scene, options),
+                                testing::drawn_picture(load_scene(folder / "a.glsl"), options)),
+            0.002);
+}
+
+// A lamp in the ceiling's own plane is not hidden by it.
+TEST_F(MeshLights, CeilingsDoNotHideTheirLamps) {
+  Scene scene = scene_with(kCeiling);
+  Light rect;
+  rect.type = LightType::rect;
+  rect.position = {0, 3, 0}, rect.normal = {0, -1, 0};
+  rect.edge_u = {0.8f, 0, 0}, rect.edge_v = {0, 0, 0.8f};
+  scene.lights.push_back(rect);
+  RenderOptions options;
+  options.conversions.keep_files = false;
+  options.shadows.light_samples = 16;
+  for (const ShadowKind kind : {ShadowKind::hard, ShadowKind::area}) {
+    options.shadows.kind = kind;
+    const std::vector<ProbeQuery> queries{{{{1.5f, 0, 1}, {0, 1, 0}}, 0},
+                                          {{{1.5f, 0, 1}, {0, 1, 0}}, 1}};
+    Progress silent;
+    for (const float seen : probe_gl(scene, options, queries, silent).fractions)
+      EXPECT_EQ(seen, 1) << testing::name_of(kind);
   }
 }
 

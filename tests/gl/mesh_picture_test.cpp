@@ -72,7 +72,7 @@ Scene scene() {
 
 RenderOptions options_of(ShadowKind kind) {
   RenderOptions options = testing::small(kind);
-  options.width = 240, options.height = 160;
+  options.width = 192, options.height = 128;
   options.exposure_ev = 0;
   options.shadows.light_samples = 4;
   return options;

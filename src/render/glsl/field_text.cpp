@@ -90,7 +90,8 @@ FieldText field_text(const Scene& scene, bool prefer_map, const sdf::MeshDistanc
   }
   field.box = enlarged(sun_bounds(scene));
   if (!is_bounded(scene)) field.sight = sight_in_diagonals * extent_of(scene).diagonal();
-  field.generated = material_type() + "\nint pnb_own = -1;  // an instance that does not block\n";
+  field.generated =
+      material_type() + "\nint pnb_left_out = -1;  // an instance that does not block\n";
   const bool shapes = sdf::has_shapes(scene);
   if (shapes) {
     sdf::GlslField scene_field = sdf::generate_glsl(scene, meshes);

@@ -54,9 +54,9 @@ float pnb_trace(vec3 ro, vec3 rd) {
 }
 
 // Unit normal at p by differences: central ones over e; on an sdf object, whose rounding may be
-// great, by a tetrahedron, wider. A second time a little before p on the ray where that is needed: on
-// a sheet both sides look alike, and rounding makes any direction of that (the slope is below 1; the
-// steeper counts); wide differences reach round an edge, to a side that faces away.
+// great, by a tetrahedron, wider. A second time a little before p on the ray where that is needed:
+// on a sheet both sides look alike, and rounding makes any direction of that (the slope is below 1;
+// the steeper counts); wide differences reach round an edge, to a side that faces away.
 vec3 pnb_normal(vec3 p, vec3 rd, float e) {
   bool wide = pnb_is_rounded(p);
   if (wide) e = 1e-3 * max(max(abs(p.x), max(abs(p.y), abs(p.z))), 1e-3);
@@ -104,7 +104,7 @@ float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt, int own) {
   float e = pnb_epsilon(p);
   vec3 ro = p + n * (2.0 * e);
   maxt = min(maxt, pnb_way(ro, rd).y);
-  pnb_own = own;
+  pnb_left_out = own;
   float t = pnb_obstacle(ro, rd, e, maxt, e);
 #ifdef PNB_MASKS
   for (int i = 0; i < pnb_most_steps && t < maxt; ++i) {
@@ -112,6 +112,6 @@ float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt, int own) {
     t = pnb_obstacle(ro, rd, t + 3.0 * e, maxt, e);
   }
 #endif
-  pnb_own = -1;
+  pnb_left_out = -1;
   return t < maxt ? 0.0 : 1.0;
 }

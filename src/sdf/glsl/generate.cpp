@@ -106,12 +106,12 @@ class SceneText {
     shades_ += fmt::format("  e = {}_shade(p, o);\n  if (e < d) d = e, m = o;\n", name);
   }
 
-  /// `own`: the instance that pnb_own may take out, or −1.
+  /// `own`: the instance that pnb_left_out may take out, or −1.
   void add_shape(const std::string& value, const std::string& surface, std::uint32_t material,
                  std::uint32_t object, int own = -1) {
     const std::string name = comment(scene_.objects[object].name);
     values_ += fmt::format("  d = min(d, {});  // {}\n", value, name);
-    const std::string unless = own < 0 ? "" : fmt::format("if (pnb_own != {}) ", own);
+    const std::string unless = own < 0 ? "" : fmt::format("if (pnb_left_out != {}) ", own);
     surfaces_ += fmt::format("  {}d = min(d, {});  // {}\n", unless, surface, name);
     others_ += fmt::format("  e = min(e, {});  // {}\n", surface, name);
     signed_ += fmt::format("  d = pnb_nearer(d, {});  // {}\n", value, name);

@@ -174,7 +174,8 @@ float pnb_with_meshes(vec3 p, float d, bool with_sign, bool by_size) {
     for (; k < count; ++k) {
       vec4 ball = pnb_texel(pnb_mesh_record(k) + 13);
       if (ball.w < 0.0 || 0.8 * (length(p - ball.xyz) - ball.w) > abs(d)) continue;
-      if (with_sign || pnb_own < 0 || int(pnb_texel(pnb_mesh_record(k) + 8).w) != pnb_own) break;
+      if (with_sign || pnb_left_out < 0) break;
+      if (int(pnb_texel(pnb_mesh_record(k) + 8).w) != pnb_left_out) break;
     }
     if (k >= count) return d;
     int record = pnb_mesh_record(k);
@@ -190,12 +191,12 @@ struct pnb_Facet {
   vec3 position, normal;  // there, unit, by the winding
   bool is_smooth;         // has vertex normals
   vec3 smooth_normal;     // unit; of the normal's side
-  vec3 lifted, sunk;      // position raised to what the vertex normals describe, seen from either side
+  vec3 lifted, sunk;      // raised to what the vertex normals describe: seen from the front, the back
   vec4 uv;                // both sets
   vec2 uv_per_metre;
 };
 
-// The point on the triangle's other vertices' planes (Hanika 2021, section 4.3).
+// A corner's share of the way up to the planes across the vertex normals (Hanika 2021, section 4.3).
 vec3 pnb_lift(vec3 p, vec3 corner, vec3 normal, float weight) {
   return normal * (weight * -min(0.0, dot(p - corner, normal)));
 }
