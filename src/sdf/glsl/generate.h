@@ -29,9 +29,9 @@ bool has_shapes(const Scene& scene);
 ///   pnb_Material pnb_scene_material(vec3 p, out float d)   of these; d: pnb_scene_shapes(p)
 /// The second leaves out the instance whose number is in pnb_left_out if that is a mesh light.
 /// Before it must stand the type pnb_Material, int pnb_left_out, pnb_material_of(int) for indices
-/// into Scene::materials, and pnb_mix_materials(a, b, share of b). Works without recursion: any depth.
-/// Other meshes than boxes, quads and polygons take their distances from `meshes`, by a texture
-/// with mesh_texels, in rows of mesh_texel_row; InputError for one where that is empty.
+/// into Scene::materials, and pnb_mix_materials(a, b, share of b). Works without recursion: any
+/// depth. Other meshes than boxes, quads and polygons take their distances from `meshes`, by a
+/// texture with mesh_texels, in rows of mesh_texel_row; InputError for one where that is empty.
 GlslField generate_glsl(const Scene& scene, const MeshDistances& meshes = {});
 inline constexpr int mesh_texel_row = 4096;
 
