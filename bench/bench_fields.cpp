@@ -81,7 +81,7 @@ class Shaders {
   Shaders(const Arguments& a, const Scene& scene)
       : width_(a.width), height_(a.height), target_(width_, height_, 1) {
     const FieldText field = field_text(scene, true);
-    const std::vector<ShaderLight> lights = shader_lights(scene);
+    const ShaderLights lights = shader_lights(scene);
     for (const Method& method : a.methods) {
       const RenderOptions o = options_of(a, method);
       auto program =
@@ -93,7 +93,7 @@ class Shaders {
       program->set("pnb_mirrors", 0);
       program->set("pnb_in_pixel", 0.5f, 0.5f);
       program->set("pnb_tile", 0.0f, 0.0f);
-      set_draw(*program, picture_draws(scene, o.shadows, 1, 1).front(), lights);
+      set_draw(*program, picture_draws(scene, o.shadows, 1, 1).front(), lights.list);
       programs_.push_back(std::move(program));
     }
   }

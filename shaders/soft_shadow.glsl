@@ -50,20 +50,19 @@ float penumbra_shadow_hard(vec3 ro, vec3 rd, float mint, float maxt) {
   return 1.0;
 }
 
-// The ratio of clearance to distance, least of all steps.
+// The ratio of clearance to distance, least of all steps; w divides the least of h / t.
 float penumbra_shadow_classic(vec3 ro, vec3 rd, float mint, float maxt, float w) {
-  w = penumbra_size(w);
-  float res = 1.0;
+  float res = 1e20;
   float t = mint;
   for (int i = 0; i < PENUMBRA_STEPS && t < maxt; i++) {
     float h = PENUMBRA_MAP(ro + rd * t);
     penumbra_steps_taken++;
     if (h < 0.001) return 0.0;
-    res = min(res, h / (w * t));
+    res = min(res, h / t);
     t += h;
   }
   if (t < maxt) penumbra_out_of_steps = true;
-  return res;
+  return min(res / penumbra_size(w), 1.0);
 }
 
 // The blog's order: step first, then the ratio. It marches up to 150; never beyond the light here.
@@ -83,29 +82,30 @@ float penumbra_shadow_blog(vec3 ro, vec3 rd, float mint, float maxt, float w) {
   return res;
 }
 
-// Aaltonen: the nearest miss lies where the spheres of this step and the last one meet, y before
-// the present point and d from the ray.
+// Aaltonen: the nearest miss lies where the spheres of this step and the last one meet,
+// y = h h / 2ph before the present point and d = sqrt(h h - y y) from the ray; the least of
+// d / (t - y) counts.
+// Here as its square, ph brought out of both: h h (4 ph ph - h h) / (2 ph t - h h)^2.
 float penumbra_shadow_improved(vec3 ro, vec3 rd, float mint, float maxt, float w) {
-  w = penumbra_size(w);
-  float res = 1.0;
-  float ph = 1e20;
+  float res2 = 1e20;
+  float ph2 = 0.0;  // twice the step before; 0: none
   float t = mint;
   for (int i = 0; i < PENUMBRA_STEPS && t < maxt; i++) {
     float h = PENUMBRA_MAP(ro + rd * t);
     penumbra_steps_taken++;
     if (h < 0.001) return 0.0;
-    float y = h * h / (2.0 * ph);
-    float d2 = h * h - y * y;
+    float hh = h * h;
+    float to_miss = ph2 * t - hh;
     // Guard: no such place (the root of a negative number), or behind the start (0/0 over a plane).
-    if (d2 > 0.0 && y < t)
-      res = min(res, sqrt(d2) / (w * (t - y)));
-    else
-      res = min(res, h / (w * t));
-    ph = h;
+    bool meet = h < ph2 && to_miss > 0.0;
+    float above = hh * (meet ? ph2 * ph2 - hh : 1.0);
+    float below = meet ? to_miss : t;
+    res2 = min(res2, above / (below * below));
+    ph2 = 2.0 * h;
     t += h;
   }
   if (t < maxt) penumbra_out_of_steps = true;
-  return res;
+  return min(sqrt(res2) / penumbra_size(w), 1.0);
 }
 
 float penumbra_inner_profile(float res) {
@@ -116,31 +116,29 @@ float penumbra_inner_profile(float res) {
 // The march goes on inside: near hits darken as near misses do.
 float penumbra_shadow_inner(vec3 ro, vec3 rd, float mint, float maxt, float w) {
   w = penumbra_size(w);
-  float res = 1.0;
+  float res = w;  // w times the published one: the least of h / t
   float t = mint;
-  for (int i = 0; i < PENUMBRA_STEPS && t < maxt; i++) {
+  for (int i = 0; i < PENUMBRA_STEPS && t < maxt && res >= -w; i++) {
     float h = PENUMBRA_MAP(ro + t * rd);
     penumbra_steps_taken++;
-    res = min(res, h / (w * t));
+    res = min(res, h / t);
     t += clamp(h, 0.005, 0.50);
-    if (res < -1.0 || t > maxt) break;
   }
-  if (t < maxt && res >= -1.0) penumbra_out_of_steps = true;
-  return penumbra_inner_profile(res);
+  if (t < maxt && res >= -w) penumbra_out_of_steps = true;
+  return penumbra_inner_profile(res / w);
 }
 
 // The same with the step that the article mentions first: the size of h.
 float penumbra_shadow_abs(vec3 ro, vec3 rd, float mint, float maxt, float w) {
   w = penumbra_size(w);
-  float res = 1.0;
+  float res = w;
   float t = mint;
-  for (int i = 0; i < PENUMBRA_STEPS && t < maxt; i++) {
+  for (int i = 0; i < PENUMBRA_STEPS && t < maxt && res >= -w; i++) {
     float h = PENUMBRA_MAP(ro + t * rd);
     penumbra_steps_taken++;
-    res = min(res, h / (w * t));
+    res = min(res, h / t);
     t += abs(h);
-    if (res < -1.0 || t > maxt) break;
   }
-  if (t < maxt && res >= -1.0) penumbra_out_of_steps = true;
-  return penumbra_inner_profile(res);
+  if (t < maxt && res >= -w) penumbra_out_of_steps = true;
+  return penumbra_inner_profile(res / w);
 }

@@ -1,15 +1,17 @@
 // What programs draw into and read from: pixels of four floats.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace penumbra::gl {
 
-/// A texture of four floats a texel, read with texelFetch.
+/// A texture of four floats or bytes (0 … 1) a texel, read with texelFetch.
 class Texture {
  public:
-  Texture(int width, int height);
+  enum class Kind : std::uint8_t { floats, bytes };
+  Texture(int width, int height, Kind kind = Kind::floats);
   ~Texture();
   Texture(const Texture&) = delete;
   Texture& operator=(const Texture&) = delete;
@@ -19,6 +21,7 @@ class Texture {
   unsigned id() const { return id_; }
   /// Writes the lower left width × height texels, row by row.
   void write(int width, int height, std::span<const float> texels);
+  void write(int width, int height, std::span<const std::uint8_t> texels);
   /// Makes it the texture of a unit (a sampler's value), 1 or more: unit 0 is used while textures
   /// are made.
   void bind(int unit) const;

@@ -10,9 +10,6 @@ namespace penumbra {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr int glossy_points = 32;
-constexpr int mesh_points = 128;
-constexpr std::size_t few_faces = 64;
 constexpr float delta_sin2 = 1e-12f;  ///< below it a cone is one direction
 
 void set_spot(const Light& light, float& scale, float& offset) {

@@ -12,6 +12,11 @@
 
 namespace penumbra {
 
+/// Points that stand for a light in glossy reflections; for the irradiance of a mesh light of more
+/// than few_faces faces.
+inline constexpr int glossy_points = 32, mesh_points = 128;
+inline constexpr std::size_t few_faces = 64;
+
 /// A piece of a light's surface.
 struct LightPatch {
   Vec3 position;

@@ -103,6 +103,7 @@ struct TriangleTree::Builder {
   struct Item {
     Triangle t;
     Vec3 middle;
+    std::uint32_t number;
   };
   TriangleTree& tree;
   std::vector<Item> items;
@@ -113,7 +114,8 @@ struct TriangleTree::Builder {
     if (end - begin <= leaf_size) {
       tree.nodes_[number].next = static_cast<std::uint32_t>(tree.triangles_.size());
       tree.nodes_[number].count = static_cast<std::uint32_t>(end - begin);
-      for (std::size_t i = begin; i < end; ++i) tree.triangles_.push_back(items[i].t);
+      for (std::size_t i = begin; i < end; ++i)
+        tree.triangles_.push_back(items[i].t), tree.numbers_.push_back(items[i].number);
       return number;
     }
     const std::size_t middle = split(begin, end, depth);
@@ -191,10 +193,11 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions,
   Builder builder{*this, {}};
   builder.items.reserve(indices.size() / 3);
   triangles_.reserve(indices.size() / 3);
+  numbers_.reserve(indices.size() / 3);
   nodes_.reserve(indices.size() / 3);
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     const Triangle t{positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]]};
-    builder.items.push_back({t, (t.a + t.b + t.c) / 3.0f});
+    builder.items.push_back({t, (t.a + t.b + t.c) / 3.0f, static_cast<std::uint32_t>(i / 3)});
   }
   if (!builder.items.empty()) builder.build(0, builder.items.size(), 0);
   nodes_.shrink_to_fit();
@@ -308,14 +311,19 @@ void TriangleTree::write_texels(std::vector<float>& boxes, std::vector<float>& t
     boxes.insert(boxes.end(), {node.lo.x, node.lo.y, node.lo.z, static_cast<float>(skip[i]),
                                node.hi.x, node.hi.y, node.hi.z, first});
   }
-  for (const Triangle& t : triangles_)
-    for (const Vec3& v : {t.a, t.b, t.c}) triangles.insert(triangles.end(), {v.x, v.y, v.z, 0.0f});
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const auto& [a, b, c] = triangles_[i];
+    const auto number = static_cast<float>(numbers_[i]);
+    triangles.insert(triangles.end(),
+                     {a.x, a.y, a.z, 0.0f, b.x, b.y, b.z, number, c.x, c.y, c.z, 0.0f});
+  }
   for (const Node& node : nodes_)
     if (node.count > 0) triangles[12 * (std::size_t{node.next} + node.count - 1) + 3] = 1;
 }
 
 std::size_t TriangleTree::memory_bytes() const {
-  return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
+  return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle) +
+         numbers_.capacity() * sizeof(std::uint32_t);
 }
 
 bool is_closed(std::span<const Vec3> positions, std::span<const std::uint32_t> indices) {

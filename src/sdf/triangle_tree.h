@@ -40,7 +40,8 @@ class TriangleTree {
 
   /// The tree for shaders, eight numbers a box, parents before children: low corner, number of the
   /// next box where this one is skipped; high corner, first triangle or −1. Twelve a triangle: its
-  /// corners, each with a 0 behind it, but 1 behind the first of the last triangle of a leaf.
+  /// corners; behind the first 1 for the last triangle of a leaf, else 0; behind the second the
+  /// triangle's number in `indices`; behind the third 0.
   void write_texels(std::vector<float>& boxes, std::vector<float>& triangles) const;
 
   bool empty() const { return triangles_.empty(); }
@@ -67,6 +68,7 @@ class TriangleTree {
 
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> numbers_;  // of the triangles, as they were given
 };
 
 /// True if each edge is passed as often one way as the other: then winding numbers are whole.

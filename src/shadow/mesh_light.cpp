@@ -119,6 +119,26 @@ void MeshLight::bound(Node& node) const {
   node.sine = std::sqrt(std::max(0.0f, 1 - node.cosine * node.cosine));
 }
 
+void MeshLight::write_texels(std::vector<float>& nodes, std::vector<float>& face_texels) const {
+  const auto add = [](std::vector<float>& to, const Vec3& v, float w) {
+    to.insert(to.end(), {v.x, v.y, v.z, w});
+  };
+  std::vector<std::uint32_t> skip(nodes_.size(), static_cast<std::uint32_t>(nodes_.size()));
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    const bool leaf = node.second == 0;
+    if (!leaf) skip[i + 1] = node.second, skip[node.second] = skip[i];
+    add(nodes, node.center, node.radius), add(nodes, node.axis, node.cosine);
+    add(nodes, node.sum.moment, node.sum.area);
+    add(nodes, {float(node.first), float(node.last), float(skip[i])}, leaf ? 1.0f : 0.0f);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const LightFace& f = faces[i];
+    add(face_texels, f.a, f.area), add(face_texels, f.b, areas[i]);
+    add(face_texels, f.c, 0), add(face_texels, f.normal, 0);
+  }
+}
+
 /// One walk through the tree.
 class MeshLight::Search {
  public:

@@ -42,6 +42,11 @@ struct MeshLight {
   /// where none is turned to it all (its visible fraction is defined everywhere, its light is
   /// zero). `runs`, which may be null, gets them (cleared first).
   Sum seen_from(const Vec3& point, bool double_sided, std::vector<Run>* runs = nullptr) const;
+  /// For shaders, four numbers a texel, parents before children. Of a node: ball's centre, radius;
+  /// axis, cosine; moment, area; first face, the one behind the last, number of the next node where
+  /// this one's children are left out, 1 = a leaf. Of a face: a, its area; b, areas up to and with
+  /// it; c, 0; normal, 0.
+  void write_texels(std::vector<float>& nodes, std::vector<float>& faces) const;
   static bool turned(const LightFace& face, const Vec3& point) {
     return dot(face.normal, point - face.a) > 0;
   }

@@ -137,6 +137,14 @@ TEST_F(GlProgram, ExportIsAShaderThatRenders) {
   EXPECT_EQ(penumbra({"export", folder / "s.glsl", "-o", folder / "out.txt"}).status, 2);
 }
 
+TEST_F(GlProgram, ExportSaysWhyItTakesNoMesh) {
+  write_file(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome outcome = penumbra({"export", folder / "a.obj", "-o", folder / "out.glsl", "-q"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("which Shadertoy does not take; draw the scene by penumbra "
+                                     "render --device gl"));
+}
+
 TEST_F(GlProgram, SaysSoWhereThereIsNoDriver) {
   const Outcome outcome =
       penumbra({"render", folder / "any.glsl", "-o", folder / "a.png", "-q"},

@@ -120,8 +120,8 @@ std::vector<float> shader_field(const FieldText& field, const std::vector<Vec3>&
         field.generated +
         "out vec4 d;\nvoid main() {\n"
         "  d = vec4(pnb_map(texelFetch(t, ivec2(gl_FragCoord.xy), 0).xyz));\n}\n");
-    const MeshTexture meshes(field, 4096);
-    meshes.give(program);
+    const SceneTextures textures(field, {}, 4096);
+    textures.give(program);
     gl::Texture texture(kSide, kSide);
     std::vector<float> texels;
     for (const Vec3& p : points) texels.insert(texels.end(), {p.x, p.y, p.z, 0});

@@ -3,50 +3,25 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
-#include "geometry/world.h"
 #include "gl/driver.h"
+#include "gl/pictures.h"
 #include "image/srgb.h"
-#include "render/render.h"
 #include "scene/load.h"
 #include "support/temporary_folder.h"
 
 namespace penumbra {
 namespace {
 
+using testing::difference;
+using testing::drawn_picture;
+using testing::name_of;
+using testing::small;
+
 Scene shader_scene(const std::string& text) {
   const test::TemporaryFolder folder;
   const std::string file = folder / "a.glsl";
   write_file(file, text);
   return load_scene(file);
-}
-
-RenderOptions small(ShadowKind kind) {
-  RenderOptions options;
-  options.width = 96, options.height = 64;
-  options.spp = 1;
-  options.shadows.kind = kind;
-  return options;
-}
-
-RenderResult drawn_picture(const Scene& scene, const RenderOptions& options,
-                           Entry entry = Entry::automatic) {
-  Progress silent;
-  return render_gl(scene, options, entry, silent);
-}
-
-int code(float linear, float ev) { return srgb_encoder()(linear * std::exp2(ev)); }
-
-// Share of pixels that differ by more than 1/255 as shown.
-double difference(const RenderResult& a, const RenderResult& b) {
-  int far = 0;
-  for (std::size_t i = 0; i < a.color.data.size(); i += 3) {
-    int most = 0;
-    for (std::size_t c = i; c < i + 3; ++c)
-      most = std::max(most, std::abs(code(a.color.data[c], a.stats.exposure_ev) -
-                                     code(b.color.data[c], b.stats.exposure_ev)));
-    far += most > 1;
-  }
-  return 3.0 * far / static_cast<double>(a.color.data.size());
 }
 
 class RenderGl : public testing::GlTest {};
@@ -66,13 +41,6 @@ TEST_F(RenderGl, PicturesEqualTheProcessors) {
           << name << ' ' << int(kind);
     }
   }
-}
-
-const char* name_of(ShadowKind kind) {
-  return kind == ShadowKind::hard          ? "hard"
-         : kind == ShadowKind::sdf_classic ? "classic"
-         : kind == ShadowKind::sdf_inner   ? "inner"
-                                           : "improved";
 }
 
 // The repository's own scenes: spheres and a mirror; a sheet; a distance field among both.

@@ -5,13 +5,14 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "render/glsl/mask_text.h"
 #include "sdf/glsl/generate.h"
 
 namespace penumbra {
 namespace {
 
 constexpr int kEmptyUnit = 7;  // no texture is ever bound there
-constexpr int kMeshUnit = 5;
+constexpr int kMeshUnit = 5, kLightUnit = 6, kImageUnit = 8, kMaskUnit = 9;
 
 [[noreturn]] void refuse(const gl::CompileError& error, const FieldText& field) {
   const auto& messages = error.messages();
@@ -47,30 +48,49 @@ void set_view(gl::Program& program, const ShaderView& view) {
   program.set("iFrame", 0);
 }
 
+// Texels in rows; false if there are too many.
+template <class Channel>
+bool write_rows(std::vector<Channel> texels, int row, int longest_side,
+                std::optional<gl::Texture>& texture) {
+  const std::size_t width = static_cast<std::size_t>(row), count = texels.size() / 4;
+  const std::size_t rows = (count + width - 1) / width;
+  if (count == 0) return true;
+  if (rows > static_cast<std::size_t>(longest_side)) return false;
+  texture.emplace(row, static_cast<int>(rows),
+                  sizeof(Channel) == 1 ? gl::Texture::Kind::bytes : gl::Texture::Kind::floats);
+  texels.resize(4 * width * rows);
+  texture->write(row, static_cast<int>(rows), std::span<const Channel>(texels));
+  return true;
+}
+
 }  // namespace
 
-MeshTexture::MeshTexture(const FieldText& field, int longest_side) {
-  const std::size_t count = field.mesh_texels.size() / 4;
-  if (count == 0) return;
-  constexpr std::size_t row = sdf::mesh_texel_row;
-  const std::size_t rows = (count + row - 1) / row;
-  if (rows > static_cast<std::size_t>(longest_side))
+SceneTextures::SceneTextures(const FieldText& field, const ShaderLights& lights, int longest_side) {
+  if (!write_rows(field.mesh_texels, sdf::mesh_texel_row, longest_side, meshes_))
     throw InputError("--device gl: the distances to the scene's meshes fit no texture",
                      "give a greater --voxel-size, or use --device cpu");
-  texture_.emplace(static_cast<int>(row), static_cast<int>(rows));
-  std::vector<float> texels = field.mesh_texels;
-  texels.resize(4 * row * rows);
-  texture_->write(static_cast<int>(row), static_cast<int>(rows), texels);
+  if (!write_rows(lights.texels, light_texel_row, longest_side, lights_))
+    throw InputError("--device gl: the emissive meshes have more faces than a texture holds",
+                     "use --device cpu, or fewer faces");
+  if (!write_rows(field.images, image_texel_row, longest_side, images_) ||
+      !write_rows(field.masks, mask_texel_row, longest_side, masks_))
+    throw InputError("--device gl: the scene's textures are more than one texture holds",
+                     "use --device cpu, or smaller textures");
 }
 
-void MeshTexture::give(gl::Program& program) const {
-  if (!texture_) return;
-  texture_->bind(kMeshUnit);
-  program.set("pnb_mesh_texels", kMeshUnit);
+void SceneTextures::give(gl::Program& program) const {
+  const auto bind = [&](const std::optional<gl::Texture>& texture, const char* name, int unit) {
+    if (!texture) return;
+    texture->bind(unit);
+    program.set(name, unit);
+  };
+  bind(meshes_, "pnb_mesh_texels", kMeshUnit);
+  bind(lights_, "pnb_light_texels", kLightUnit);
+  bind(images_, "pnb_images", kImageUnit);
+  bind(masks_, "pnb_masks", kMaskUnit);
 }
 
-std::unique_ptr<gl::Program> field_program(const FieldText& field,
-                                           const std::vector<ShaderLight>& lights,
+std::unique_ptr<gl::Program> field_program(const FieldText& field, const ShaderLights& lights,
                                            const ShadowOptions& shadows, ShaderTask task,
                                            const ShaderView& view) {
   std::unique_ptr<gl::Program> program;

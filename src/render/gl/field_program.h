@@ -11,15 +11,16 @@
 
 namespace penumbra {
 
-/// The distances to a field's meshes on the device. Programs that take it must not outlive it.
-class MeshTexture {
+/// What programs look up in textures: the distances to a field's meshes, the faces of mesh lights.
+/// Programs that take them must not outlive them.
+class SceneTextures {
  public:
   /// Throws InputError if they are more than a texture holds.
-  MeshTexture(const FieldText& field, int longest_side);
+  SceneTextures(const FieldText& field, const ShaderLights& lights, int longest_side);
   void give(gl::Program& program) const;
 
  private:
-  std::optional<gl::Texture> texture_;
+  std::optional<gl::Texture> meshes_, lights_, images_, masks_;
 };
 
 /// What the program is told of the whole picture.
@@ -30,8 +31,7 @@ struct ShaderView {
 
 /// Compiles it. Throws InputError with line and column of the person's file, or without a place if
 /// the fault is where our text calls theirs; WorkError if it is ours alone.
-std::unique_ptr<gl::Program> field_program(const FieldText& field,
-                                           const std::vector<ShaderLight>& lights,
+std::unique_ptr<gl::Program> field_program(const FieldText& field, const ShaderLights& lights,
                                            const ShadowOptions& shadows, ShaderTask task,
                                            const ShaderView& view);
 

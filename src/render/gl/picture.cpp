@@ -1,6 +1,7 @@
 #include "render/gl/picture.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "base/cancel.h"
 #include "render/exposure.h"
@@ -33,7 +34,7 @@ class PictureDrawer {
         field_(field),
         options_(options),
         lights_(shader_lights(scene)),
-        meshes_(field, context.longest_side()),
+        textures_(field, lights_, context.longest_side()),
         ambient_(scene.ambient) {}
 
   RenderResult draw(Progress& progress);
@@ -41,8 +42,9 @@ class PictureDrawer {
  private:
   const Camera& view() const { return scene_.cameras[static_cast<std::size_t>(options_.camera)]; }
   int generations() const { return field_.mirrors ? options_.mirror_depth + 1 : 1; }
+  /// `samples`: a pixel's.
   std::unique_ptr<gl::Program> program(const ShadowOptions& shadows, ShaderTask task, int width,
-                                       int height, const Vec3& ambient) const;
+                                       int height, const Vec3& ambient, int samples) const;
   float exposure(const Vec3& ambient) const;
   void draw_band(gl::Program& program, const gl::Target& target, const Bands& bands,
                  BandSums& sums);
@@ -59,8 +61,8 @@ class PictureDrawer {
   const Scene& scene_;
   const FieldText& field_;
   const RenderOptions& options_;
-  std::vector<ShaderLight> lights_;
-  MeshTexture meshes_;
+  ShaderLights lights_;
+  SceneTextures textures_;
   Vec3 ambient_;
   std::vector<PictureDraw> draws_;
   int points_at_a_time_ = 64;
@@ -70,11 +72,15 @@ class PictureDrawer {
 };
 
 std::unique_ptr<gl::Program> PictureDrawer::program(const ShadowOptions& shadows, ShaderTask task,
-                                                    int width, int height,
-                                                    const Vec3& ambient) const {
+                                                    int width, int height, const Vec3& ambient,
+                                                    int samples) const {
   auto made = field_program(field_, lights_, shadows, task, {width, height, options_.time});
-  meshes_.give(*made);
-  set_camera(*made, CameraRays(view(), width, height));
+  textures_.give(*made);
+  const CameraRays camera(view(), width, height);
+  set_camera(*made, camera);
+  const CameraRay middle = camera.at(0, 0);
+  const float share = 1 / std::sqrt(static_cast<float>(samples));
+  made->set("pnb_beam", middle.width * share, middle.spread * share);
   made->set("pnb_ambient", ambient.x, ambient.y, ambient.z);
   const Vec3& sky = scene_.background;
   made->set("pnb_background", sky.x, sky.y, sky.z);
@@ -86,7 +92,7 @@ float PictureDrawer::exposure(const Vec3& ambient) const {
   constexpr int width = exposure_grid_width, height = exposure_grid_height;
   ShadowOptions hard;
   hard.kind = ShadowKind::hard;
-  auto coarse = program(hard, ShaderTask::picture_with_layers, width, height, ambient);
+  auto coarse = program(hard, ShaderTask::picture_with_layers, width, height, ambient, 1);
   coarse->set("pnb_mirrors", 0);
   coarse->set("pnb_unlit_too", 1);
   coarse->set("pnb_in_pixel", 0.5f, 0.5f);
@@ -94,7 +100,7 @@ float PictureDrawer::exposure(const Vec3& ambient) const {
   std::vector<Vec3> radiance(static_cast<std::size_t>(width) * height), unlit = radiance;
   std::vector<float> surfaces, notes;
   for (const PictureDraw& draw : picture_draws(scene_, hard, 1, 1)) {
-    set_draw(*coarse, draw, lights_);
+    set_draw(*coarse, draw, lights_.list);
     target.use();
     coarse->draw(width, height);
     const std::vector<float> color = target.read(0, width, height);
@@ -136,7 +142,7 @@ void PictureDrawer::draw_sample(gl::Program& program, const gl::Target& target, 
   int generation = 0;
   for (const PictureDraw& draw : draws_) {
     throw_if_cancelled();
-    set_draw(program, draw, lights_);
+    set_draw(program, draw, lights_.list);
     if (draw.by_points()) {
       if (draw.generation < generation) set_streams(bands, sample), generation = 0;
       for (; generation < draw.generation; ++generation)
@@ -173,7 +179,7 @@ RenderResult PictureDrawer::empty_result() const {
   const RenderOptions& o = options_;
   RenderResult result;
   result.color = Image(o.width, o.height, 3);
-  if (o.want_visibility) result.visibility.assign(lights_.size(), Image(o.width, o.height, 1));
+  if (o.want_visibility) result.visibility.assign(lights_.list.size(), Image(o.width, o.height, 1));
   if (o.want_depth) result.depth = Image(o.width, o.height, 1);
   if (o.want_normal) result.normal = Image(o.width, o.height, 3);
   if (o.want_steps) result.steps = Image(o.width, o.height, 1);
@@ -193,7 +199,7 @@ RenderResult PictureDrawer::draw(Progress& progress) {
   const bool layers = wants_layers(options_);
   auto shader =
       program(options_.shadows, layers ? ShaderTask::picture_with_layers : ShaderTask::picture,
-              options_.width, options_.height, ambient_);
+              options_.width, options_.height, ambient_, options_.spp);
   shader->set("pnb_ask_all", options_.want_visibility || options_.want_steps ? 1 : 0);
   draws_ = wanted_draws();
   Bands bands(options_.width, options_.height, context_.longest_side());

@@ -23,7 +23,7 @@ class Prober {
         options_(options),
         queries_(queries),
         lights_(shader_lights(scene)),
-        meshes_(field, context.longest_side()) {}
+        textures_(field, lights_, context.longest_side()) {}
 
   ProbeAnswers answer(Progress& progress);
 
@@ -37,8 +37,8 @@ class Prober {
   const FieldText& field_;
   const RenderOptions& options_;
   std::span<const ProbeQuery> queries_;
-  std::vector<ShaderLight> lights_;
-  MeshTexture meshes_;
+  ShaderLights lights_;
+  SceneTextures textures_;
   gl::Texture positions_{kRow, kMost / kRow}, normals_{kRow, kMost / kRow};
   gl::Target target_{kRow, kMost / kRow, 1};
   std::unique_ptr<PointPatterns> patterns_;
@@ -75,7 +75,7 @@ void Prober::draw(gl::Program& program, std::size_t light, std::span<const std::
     part.light_from = light, part.light_count = 1;
     part.first_point = first, part.last_point = std::min(first + at_a_time, points);
     part.point_total = points;
-    set_draw(program, part, lights_);
+    set_draw(program, part, lights_.list);
     target_.use();
     program.draw(kRow, rows_);
     const std::vector<float> texels = target_.read(0, kRow, rows_);
@@ -101,7 +101,7 @@ ProbeAnswers Prober::answer(Progress& progress) {
   const ShadowOptions& shadows = options_.shadows;
   auto program = field_program(field_, lights_, shadows, ShaderTask::probe,
                                {kRow, static_cast<int>(kMost) / kRow, options_.time});
-  meshes_.give(*program);
+  textures_.give(*program);
   if (shadows.kind == ShadowKind::area)
     patterns_ = std::make_unique<PointPatterns>(light_point_count(shadows), shadows.seed, kRow,
                                                 static_cast<int>(kMost) / kRow);
@@ -110,7 +110,7 @@ ProbeAnswers Prober::answer(Progress& progress) {
   answers.fractions.assign(queries_.size(), 0.0f);
   answers.device = context_.renderer();
   progress.start("probe", queries_.size());
-  for (std::size_t light = 0; light < lights_.size(); ++light) {
+  for (std::size_t light = 0; light < lights_.list.size(); ++light) {
     std::vector<std::size_t> mine;
     for (std::size_t i = 0; i < queries_.size(); ++i)
       if (queries_[i].light == light) mine.push_back(i);

@@ -4,7 +4,6 @@
 #include "render/gl/bytes.h"
 #include "render/gl/picture.h"
 #include "render/glsl/export.h"
-#include "render/glsl/light_text.h"
 
 namespace penumbra {
 namespace {
@@ -34,7 +33,7 @@ RenderResult render_gl(const Scene& scene, const RenderOptions& options, Entry e
       field_text(scene, entry == Entry::map, sdf::mesh_distances(options.conversions));
   if (entry == Entry::main_image && !field.own_picture())
     throw InputError("the scene has no shader with mainImage", "leave out --entry");
-  if (!field.own_picture()) check_method(options.shadows), shader_lights(scene);
+  if (!field.own_picture()) check_method(options.shadows);
   const std::string bytes = gl::guarded(
       [&](Progress& told) {
         const gl::Context context;

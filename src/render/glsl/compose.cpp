@@ -28,17 +28,18 @@ bool by_points(const ShadowOptions& shadows) { return shadows.kind == ShadowKind
 
 bool horizon_by_centre(const ShadowOptions& shadows) { return shadows.kind == ShadowKind::hard; }
 
-std::string field_functions(const FieldText& field, const std::vector<ShaderLight>& lights,
+std::string field_functions(const FieldText& field, const ShaderLights& lights,
                             const ShadowOptions& shadows) {
   std::string text = field.generated;
   text += "\n#define PENUMBRA_MAP pnb_map\n#define PENUMBRA_STEPS pnb_march_steps\n";
   text += kUniforms;
   text += shader_text("soft_shadow.glsl");
   text += '\n';
-  text += light_functions(lights, horizon_by_centre(shadows));
-  text += lights_by_uniforms();
+  text += light_functions(lights.list, horizon_by_centre(shadows));
+  text += lights_by_uniforms(!lights.texels.empty());
   text += '\n';
   text += shader_text("trace.glsl");
+  text += shader_text("surface.glsl");
   text += fraction_function(shadows);
   text += shader_text("notes.glsl");
   if (field.glossy) text += shader_text("glossy.glsl");
@@ -48,7 +49,7 @@ std::string field_functions(const FieldText& field, const std::vector<ShaderLigh
 
 }  // namespace
 
-std::string compose_shader(const FieldText& field, const std::vector<ShaderLight>& lights,
+std::string compose_shader(const FieldText& field, const ShaderLights& lights,
                            const ShadowOptions& shadows, ShaderTask task) {
   std::string text = fmt::format("#version 300 es\n#line {} 0\n", first_line_of_ours);
   if (by_points(shadows)) text += "#define PNB_BY_POINTS\n";

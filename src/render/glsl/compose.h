@@ -16,7 +16,7 @@ enum class ShaderTask { picture, picture_with_layers, probe, own_picture };
 inline constexpr int first_line_of_ours = 1'000'000;
 
 /// A whole GLSL ES 3.00 fragment shader.
-std::string compose_shader(const FieldText& field, const std::vector<ShaderLight>& lights,
+std::string compose_shader(const FieldText& field, const ShaderLights& lights,
                            const ShadowOptions& shadows, ShaderTask task);
 
 }  // namespace penumbra

@@ -24,21 +24,34 @@ std::string constant(const char* type, const char* name, const std::string& valu
 std::string light_text(const ShaderLight& l, std::size_t index, const std::string& name) {
   return fmt::format(
       "  if (i == {})  // {}\n    return pnb_Light({}, {}, {},\n                     {}, {}, {},\n"
-      "                     {}, {}, {}, vec2({}, {}));\n",
+      "                     {}, {}, {}, vec2({}, {}), {}, {});\n",
       index, name.empty() ? "light" : name, l.type, vec(l.position), vec(l.normal), vec(l.edge_u),
       vec(l.edge_v), vec(l.emission), number(l.radius), number(l.sin2), number(l.diameter),
-      number(l.spot.x), number(l.spot.y));
+      number(l.spot.x), number(l.spot.y), l.mesh, l.own);
 }
 
-std::string light_list(const Scene& scene, const std::vector<ShaderLight>& lights) {
-  std::string text = "\n// The lights: see struct Light for the order of values.\n";
+// The texels of mesh lights as a table.
+std::string light_table(const std::vector<float>& texels) {
+  const std::size_t count = texels.size() / 4;
+  std::string text = fmt::format("\nconst vec4 pnb_light_texels[{0}] = vec4[{0}](\n", count);
+  for (std::size_t i = 0; i < count; ++i)
+    text += fmt::format("  vec4({}, {}, {}, {}){}\n", number(texels[4 * i]),
+                        number(texels[4 * i + 1]), number(texels[4 * i + 2]),
+                        number(texels[4 * i + 3]), i + 1 < count ? "," : ");");
+  return text + "\nvec4 pnb_light_texel(int i) { return pnb_light_texels[i]; }\n";
+}
+
+std::string light_list(const Scene& scene, const ShaderLights& all) {
+  const std::vector<ShaderLight>& lights = all.list;
+  std::string text = all.texels.empty() ? "" : light_table(all.texels);
+  text += "\n// The lights: see struct Light for the order of values.\n";
   text += fmt::format("const int pnb_light_count = {};\n\npnb_Light pnb_light_at(int i) {{\n",
                       lights.size());
   for (std::size_t i = 0; i < lights.size(); ++i)
     text += light_text(lights[i], i, to_string(scene.lights[i].type));
   return text +
          "  return pnb_Light(0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0.0, "
-         "0.0, 0.0, vec2(0.0));\n}\n";
+         "0.0, 0.0, vec2(0.0), -1, -1);\n}\n";
 }
 
 std::string camera_text(const CameraRays& camera, int height) {
@@ -99,7 +112,7 @@ std::string shadertoy_text(const Scene& scene, const FieldText& field, const Ren
   if (kind == ShadowKind::area || kind == ShadowKind::parker)
     throw InputError("a shader cannot have this shadow method",
                      "use --shadows none, hard, sdf-classic, sdf-improved or sdf-inner");
-  const std::vector<ShaderLight> lights = shader_lights(scene);
+  const ShaderLights lights = shader_lights(scene);
   std::string text = fmt::format("// {}: a shader for Shadertoy, written by Penumbra.\n", source);
   if (field.glossy) text += "#define PNB_GLOSSY\n";
   text += "#define pnb_zero min(iFrame, 0)  // keeps compilers from unrolling\n\n";
@@ -108,9 +121,10 @@ std::string shadertoy_text(const Scene& scene, const FieldText& field, const Ren
   text += field.generated;
   text += "\n#define PENUMBRA_MAP pnb_map\n#define PENUMBRA_STEPS pnb_march_steps\n\n";
   text += shader_text("soft_shadow.glsl");
-  text += '\n' + light_functions(lights, kind == ShadowKind::hard) + light_list(scene, lights);
+  text += '\n' + light_functions(lights.list, kind == ShadowKind::hard) + light_list(scene, lights);
   text += '\n';
   text += shader_text("trace.glsl");
+  text += shader_text("surface.glsl");
   text += fraction_function(options.shadows);
   if (field.glossy) text += shader_text("glossy.glsl");
   text += shader_text("shadertoy.glsl");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/glsl/image_bytes.h"
 #include "render/glsl/user_shader.h"
 #include "scene/scene.h"
 #include "sdf/mesh_distance.h"
@@ -15,12 +16,14 @@ namespace penumbra {
 /// or both; or a picture of the shader's own.
 struct FieldText {
   std::optional<UserShader> user;
-  std::string generated;  ///< GLSL: pnb_Material, pnb_map, pnb_surface, pnb_signed, pnb_material
+  std::string generated;  ///< GLSL: pnb_Material, pnb_map and what else trace.glsl asks for
   bool glossy = false;    ///< some material has a glossy lobe
   bool mirrors = false;   ///< some material is a mirror
   Bounds box;             ///< the scene's box enlarged by its diagonal: marches to suns end there
   float sight = 0;        ///< how far rays go, metres; 0 = to where they leave the box
-  std::vector<float> mesh_texels;  ///< see sdf::GlslField
+  std::vector<float> mesh_texels;    ///< see sdf::GlslField
+  std::vector<std::uint8_t> images;  ///< of textures, for image_lookup.glsl, in image_texel_row
+  std::vector<float> masks;          ///< of cut-out textures, for mask_lookup.glsl
   std::vector<std::string> warnings;
 
   /// Runs the shader's mainImage.

@@ -13,7 +13,8 @@ std::string march(const ShadowOptions& shadows) {
 
 std::string body(const ShadowOptions& shadows) {
   if (shadows.kind == ShadowKind::hard && !shadows.marches_field())
-    return "  return dot(direction, n) > 0.0 ? pnb_visible(p, n, direction, reach) : 0.0;\n";
+    return "  reach = pnb_centre_reach(l, p, direction, reach);\n"
+           "  return dot(direction, n) > 0.0 ? pnb_visible(p, n, direction, reach, l.own) : 0.0;\n";
   const std::string reach = "  if (l.type == 5) reach = max(pnb_span(p, direction).y, 0.0);\n";
   if (shadows.kind == ShadowKind::hard)
     return reach + "  return penumbra_shadow_hard(p, direction, pnb_mint, reach);\n";
@@ -31,7 +32,7 @@ std::string fraction_function(const ShadowOptions& shadows) {
          "float pnb_fraction(pnb_Light l, vec3 p, vec3 n) {\n"
          "  vec3 direction;\n"
          "  float reach, w;\n"
-         "  pnb_view(l, p, direction, reach, w);\n" +
+         "  if (!pnb_view(l, p, direction, reach, w)) return 0.0;\n" +
          body(shadows) + "}\n\n";
 }
 

@@ -43,8 +43,20 @@ vec2 pnb_cone_glossy(vec3 n, vec3 v, float alpha, vec3 axis, float sin2) {
   return sum * share;
 }
 
-// Patch i of a flat light or a segment: its place and its share of the area.
-vec3 pnb_light_patch(pnb_Light l, int i, out float area) {
+// Patch i of a flat light, a segment or a mesh: its place, its share of the area, its normal or the
+// segment's direction.
+vec3 pnb_light_patch(pnb_Light l, int i, out float area, out vec3 normal) {
+  normal = l.type == 4 ? normalize(l.edge_u) : l.normal;
+#ifdef PNB_MESH_LIGHTS
+  if (l.type == 6) {
+    pnb_Faces f = pnb_faces_of(l);
+    int at = f.patches + 2 * min(i, f.patch_count - 1);
+    vec4 patch_ = pnb_light_texel(at);
+    normal = pnb_light_texel(at + 1).xyz;
+    area = i < f.patch_count ? patch_.w : 0.0;
+    return patch_.xyz;
+  }
+#endif
   if (l.type == 2) {
     area = pnb_pi * l.radius * l.radius / 32.0;
     vec2 q = pnb_spiral(i) * l.radius;
@@ -64,11 +76,12 @@ vec3 pnb_light_patch(pnb_Light l, int i, out float area) {
 // Solid angle of a patch, direction to it; bounded near it by the half space.
 float pnb_patch_angle(pnb_Light l, vec3 p, int i, out vec3 direction) {
   float area;
-  vec3 to = pnb_light_patch(l, i, area) - p;
-  float d2 = max(dot(to, to), 1e-30);
-  vec3 facing_to = l.type == 4 ? normalize(l.edge_u) : l.normal;
-  float facing = -dot(to, facing_to);
+  vec3 normal, to = pnb_light_patch(l, i, area, normal) - p;
+  float d2 = max(dot(to, to), 1e-30), facing = -dot(to, normal);
   if (l.type == 4) facing = sqrt(max(0.0, d2 - facing * facing));
+#ifdef PNB_MESH_LIGHTS
+  if (l.type == 6 && pnb_faces_of(l).seen_within) facing = abs(facing);
+#endif
   direction = to / sqrt(d2);
   return facing > 0.0 ? area * facing / (sqrt(d2) * (d2 + area / pnb_pi)) : 0.0;
 }

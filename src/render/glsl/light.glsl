@@ -1,6 +1,6 @@
 // A light as the command line and scene files have it.
 struct pnb_Light {
-  int type;             // 0 point, 1 sphere, 2 disk, 3 rect, 4 segment, 5 sun
+  int type;             // 0 point, 1 sphere, 2 disk, 3 rect, 4 segment, 5 sun, 6 mesh
   vec3 position;        // centre
   vec3 normal;          // unit: the side that emits; a sun's: towards it
   vec3 edge_u, edge_v;  // rect: whole edges; segment: end to end in u
@@ -9,6 +9,7 @@ struct pnb_Light {
   float sin2;           // sun: squared sine of half its angular diameter
   float diameter;       // D; a sun's: 2 tan(half its angular diameter)
   vec2 spot;            // point: cosine -> [0, 1] between outer and inner cone, scale and offset
+  int mesh, own;        // mesh: first texel; the instance that does not block it. Others: -1
 };
 
 const float pnb_pi = 3.14159265;
@@ -29,14 +30,4 @@ float pnb_arc_cosine(float x) { return pnb_angle(x, sqrt(max(0.0, 1.0 - x * x)))
 mat3 pnb_frame(vec3 w) {
   float s = w.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (s + w.z), b = w.x * w.y * a;
   return mat3(vec3(1.0 + s * w.x * w.x * a, s * b, -s * w.x), vec3(b, s + w.y * w.y * a, -w.y), w);
-}
-
-// Direction and distance of the light's centre, and w, the tangent of half the angle it fills.
-void pnb_view(pnb_Light l, vec3 p, out vec3 direction, out float distance_, out float w) {
-  vec3 to = l.position - p;
-  float d = length(to);
-  bool sun = l.type == 5;
-  direction = sun ? l.normal : d > 0.0 ? to / d : vec3(0.0, 1.0, 0.0);
-  distance_ = sun ? 1e30 : d;
-  w = 0.5 * l.diameter / (sun ? 1.0 : max(d, 1e-30));
 }

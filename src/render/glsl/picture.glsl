@@ -1,6 +1,7 @@
 // A picture: what the pixel's ray meets, and the light there.
 uniform vec3 pnb_eye, pnb_forward, pnb_aside, pnb_step_x, pnb_step_y;
 uniform int pnb_orthographic;
+uniform vec2 pnb_beam;      // a pixel's: its width at the eye, and how much that grows a metre
 uniform vec2 pnb_in_pixel;  // in the pixel, from its top left corner
 uniform vec3 pnb_ambient, pnb_background;
 uniform int pnb_base;          // 1: with ambient light, emission and background
@@ -23,7 +24,7 @@ bool pnb_inside = false;  // the eye is in a solid
 int pnb_first_steps = 0;  // of the marches from what is met first
 
 struct pnb_Point {
-  vec3 position, normal, to_viewer;
+  vec3 position, normal, to_viewer, facing;
   pnb_Material material;
 };
 
@@ -36,13 +37,14 @@ float pnb_by_points(pnb_Light l, pnb_Point q, out vec4 sums) {
   float seen = 0.0;
   sums = vec4(0.0);
   vec4 pattern = texelFetch(pnb_patterns, ivec2(gl_FragCoord.xy), 0);
+  float seen_area = pnb_seen_area(l, q.position);
   for (int i = pnb_first_point; i < pnb_last_point; ++i) {
     vec3 d;
     float reach, weight;
-    pnb_light_point(l, q.position, pattern, i, d, reach, weight);
+    pnb_light_point(l, q.position, pattern, i, seen_area, d, reach, weight);
     float nl = dot(q.normal, d);
     if (nl <= 0.0) continue;
-    float visible = pnb_visible(q.position, q.normal, d, reach);
+    float visible = pnb_visible(q.position, q.normal, d, reach, l.own);
     seen += visible;
     sums.xy += weight * nl * vec2(visible, 1.0);
 #ifdef PNB_GLOSSY
@@ -91,19 +93,13 @@ bool pnb_meet(vec3 ro, vec3 rd, int generation, inout float way, vec3 throughput
     if (base) pnb_sum0.rgb += throughput * pnb_background;
     return false;
   }
-  vec3 p = ro + rd * t;
   if (generation == 0 && t <= 0.0) {
     pnb_inside = true;
     return false;
   }
-  q.to_viewer = -rd;
-  q.normal = pnb_normal(p, rd, 3e-5 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
-  // Down to the surface along the ray: the field is flat over so short a way.
-  float facing = -dot(q.normal, rd);
-  if (abs(facing) > 0.05) t += pnb_last / abs(facing);
-  q.position = ro + rd * t;
-  if (facing < 0.0) q.normal = -q.normal;
-  q.material = pnb_material(q.position);
+  pnb_Met met = pnb_met(ro, rd, t, way, pnb_beam.x + pnb_beam.y * (way + t));
+  q = pnb_Point(met.position, met.normal, -rd, met.facing, met.material);
+  t = met.t;
   if (base && generation == 0 && pnb_unlit_too == 0) pnb_sum1 = vec4(t, q.normal);
   way += t;
   vec3 share = max(q.material.diffuse, q.material.specular);
@@ -136,8 +132,8 @@ void main() {
     met = true;
     throughput *= q.material.mirror;
     if (max(throughput.x, max(throughput.y, throughput.z)) <= 1.0 / 500.0) break;
-    ro = q.position + q.normal * (4.0 * pnb_epsilon(q.position));
-    rd = reflect(rd, q.normal);
+    ro = q.position + q.facing * (4.0 * pnb_epsilon(q.position));
+    rd = pnb_mirrored(rd, q.normal, q.facing);
   }
   if (pnb_inside) pnb_sum0 = vec4(0.0);
   float notes = pnb_notes(pnb_inside);

@@ -10,12 +10,12 @@ void main() {
   pnb_Light l = pnb_light_at(0);
 #ifdef PNB_BY_POINTS
   vec4 pattern = texelFetch(pnb_patterns, at, 0);
-  float seen = 0.0;
+  float seen = 0.0, seen_area = pnb_seen_area(l, p);
   for (int i = pnb_first_point; i < pnb_last_point; ++i) {
     vec3 d;
     float reach, weight;
-    pnb_light_point(l, p, pattern, i, d, reach, weight);
-    if (dot(n, d) > 0.0) seen += pnb_visible(p, n, d, reach);
+    pnb_light_point(l, p, pattern, i, seen_area, d, reach, weight);
+    if (dot(n, d) > 0.0) seen += pnb_visible(p, n, d, reach, l.own);
   }
   float fraction = seen / float(pnb_point_total);
 #else

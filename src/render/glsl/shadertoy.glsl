@@ -25,19 +25,13 @@ vec3 pnb_radiance(vec3 ro, vec3 rd) {
   for (int i = pnb_zero; i <= pnb_mirrors; ++i) {
     float t = pnb_trace(ro, rd);
     if (t < 0.0) return color + throughput * pnb_background;
-    vec3 p = ro + rd * t;
-    vec3 n = pnb_normal(p, rd, 3e-5 * (way + t + max(abs(p.x), max(abs(p.y), abs(p.z)))));
-    float facing = -dot(n, rd);
-    if (abs(facing) > 0.05) t += pnb_last / abs(facing);
-    p = ro + rd * t;
-    if (facing < 0.0) n = -n;
-    way += t;
-    pnb_Material m = pnb_material(p);
-    color += throughput * pnb_shade(p, n, -rd, m);
-    throughput *= m.mirror;
+    pnb_Met met = pnb_met(ro, rd, t, way, 0.0);
+    way += met.t;
+    color += throughput * pnb_shade(met.position, met.normal, -rd, met.material);
+    throughput *= met.material.mirror;
     if (max(throughput.x, max(throughput.y, throughput.z)) <= 1.0 / 500.0) break;
-    ro = p + n * (4.0 * pnb_epsilon(p));
-    rd = reflect(rd, n);
+    ro = met.position + met.facing * (4.0 * pnb_epsilon(met.position));
+    rd = pnb_mirrored(rd, met.normal, met.facing);
   }
   return color;
 }

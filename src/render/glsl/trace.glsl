@@ -17,12 +17,18 @@ vec2 pnb_way(vec3 ro, vec3 rd) {
   return pnb_sight > 0.0 ? vec2(0.0, pnb_sight) : pnb_span(ro, rd);
 }
 
-// Distance to the first surface along the ray; -1 if there is none.
-float pnb_trace(vec3 ro, vec3 rd) {
-  vec2 inside = pnb_way(ro, rd);
-  float t = inside.x;
+#ifdef PNB_MASKS
+// True where the ray meets a hole of a cut-out texture, `most` or less from p.
+bool pnb_is_hole(vec3 p, vec3 rd, float most) {
+  pnb_Facet f = pnb_facet(p, rd, most);
+  return f.record >= 0 && most <= abs(pnb_shapes(p)) && pnb_is_cut_out(f);
+}
+#endif
+
+// Distance to the first surface along the ray, from t on; -1 if there is none.
+float pnb_next(vec3 ro, vec3 rd, float t, float end) {
   for (int i = 0; i < pnb_most_steps; ++i) {
-    if (t > inside.y) return -1.0;
+    if (t > end) return -1.0;
     pnb_last = pnb_surface(ro + rd * t);
     ++pnb_steps;
     if (pnb_last <= 1e-5 * t) return t;
@@ -34,24 +40,41 @@ float pnb_trace(vec3 ro, vec3 rd) {
   return -1.0;
 }
 
-// Unit normal at p by central differences over e. On a sheet both sides look alike, and rounding
-// makes any direction of that: where the slope is below 1, it is taken a little before p on the ray
-// too, and the steeper counts.
+// The same from the eye or a mirror on; -1 if there is none.
+float pnb_trace(vec3 ro, vec3 rd) {
+  vec2 inside = pnb_way(ro, rd);
+  float t = pnb_next(ro, rd, inside.x, inside.y);
+#ifdef PNB_MASKS
+  for (int i = 0; i < pnb_most_steps && t > 0.0; ++i) {
+    if (!pnb_is_hole(ro + rd * t, rd, 4e-5 * t)) break;
+    t = pnb_next(ro, rd, 1.00003 * t, inside.y);
+  }
+#endif
+  return t;
+}
+
+// Unit normal at p by differences: central ones over e; on an sdf object, whose rounding may be
+// great, by a tetrahedron, wider. A second time a little before p on the ray where that is needed:
+// on a sheet both sides look alike, and rounding makes any direction of that (the slope is below 1;
+// the steeper counts); wide differences reach round an edge, to a side that faces away.
 vec3 pnb_normal(vec3 p, vec3 rd, float e) {
+  bool wide = pnb_is_rounded(p);
+  if (wide) e = 1e-3 * max(max(abs(p.x), max(abs(p.y), abs(p.z))), 1e-3);
   vec3 n = vec3(0.0), at_p = vec3(0.0);
-  for (int i = pnb_zero; i < 12; ++i) {
-    if (i == 6) {
-      if (length(n) > 1.9 * e) break;
+  int count = wide ? 4 : 6;
+  for (int i = pnb_zero; i < 2 * count; ++i) {
+    if (i == count) {
+      if (wide ? dot(n, rd) < 0.0 : length(n) > 1.9 * e) break;
       p -= 4.0 * e * rd;
       at_p = n;
       n = vec3(0.0);
     }
-    int axis = i % 3;
-    vec3 d = vec3(axis == 0, axis == 1, axis == 2);
-    float side = i % 6 < 3 ? 1.0 : -1.0;
-    n += side * d * pnb_signed(p + side * e * d);
+    int k = i % count, axis = k % 3;
+    vec3 d = vec3(axis == 0, axis == 1, axis == 2) * (k < 3 ? 1.0 : -1.0);
+    if (wide) d = vec3(k == 0 || k == 3, k > 1, k % 2) * 2.0 - 1.0;
+    n += d * pnb_signed(p + e * d);
   }
-  if (length(n) < 1.1 * length(at_p)) n = at_p;
+  if (wide ? dot(n, rd) >= 0.0 && at_p != vec3(0.0) : length(n) < 1.1 * length(at_p)) n = at_p;
   float size = length(n);
   return size > 0.0 ? n / size : -rd;
 }
@@ -62,18 +85,33 @@ float pnb_epsilon(vec3 p) {
   return 1e-5 * max(max(a.x, a.y), max(a.z, 1e-3 * length(pnb_high - pnb_low)));
 }
 
-// 1 if nothing stands between the surface point p and the distance maxt along rd.
-float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt) {
-  float e = pnb_epsilon(p), t = e;
-  vec3 ro = p + n * (2.0 * e);
-  maxt = min(maxt, pnb_way(ro, rd).y);
+// Where something nearer than e is, from t on; maxt if nothing is before that.
+float pnb_obstacle(vec3 ro, vec3 rd, float t, float maxt, float e) {
   for (int i = 0; i < pnb_most_steps; ++i) {
-    if (t >= maxt) return 1.0;
+    if (t >= maxt) return maxt;
     float h = pnb_surface(ro + rd * t);
     ++pnb_steps;
-    if (h < e) return 0.0;
+    if (h < e) return t;
     t += h;
   }
   pnb_unfinished = true;
-  return 0.0;
+  return t;
+}
+
+// 1 if nothing but the instance `own` stands between the surface point p and the distance maxt
+// along rd.
+float pnb_visible(vec3 p, vec3 n, vec3 rd, float maxt, int own) {
+  float e = pnb_epsilon(p);
+  vec3 ro = p + n * (2.0 * e);
+  maxt = min(maxt, pnb_way(ro, rd).y);
+  pnb_left_out = own;
+  float t = pnb_obstacle(ro, rd, e, maxt, e);
+#ifdef PNB_MASKS
+  for (int i = 0; i < pnb_most_steps && t < maxt; ++i) {
+    if (!pnb_is_hole(ro + rd * t, rd, 4.0 * e)) break;
+    t = pnb_obstacle(ro, rd, t + 3.0 * e, maxt, e);
+  }
+#endif
+  pnb_left_out = -1;
+  return t < maxt ? 0.0 : 1.0;
 }

@@ -1,5 +1,4 @@
 // Distances to meshes as mesh_grid.h has them: a sparse grid, and near the surface the triangles.
-uniform highp sampler2D pnb_mesh_texels;
 
 struct pnb_Grid {
   int nodes, values;             // first texels: of the octree, of the bricks' corners
@@ -10,8 +9,6 @@ struct pnb_Grid {
   int levels;                    // of the octree
   float voxel, ball, threshold;  // ball: of the mesh; winding numbers above the last are inside
 };
-
-vec4 pnb_texel(int i) { return texelFetch(pnb_mesh_texels, ivec2(i & 4095, i >> 12), 0); }
 
 float pnb_number(int first, int i) { return pnb_texel(first + (i >> 2))[i & 3]; }
 
@@ -38,9 +35,11 @@ float pnb_triangle2(vec3 p, vec3 a, vec3 b, vec3 c) {
   return min(pnb_edge2(ab, pa), min(pnb_edge2(bc, pb), pnb_edge2(ca, pc)));
 }
 
-// The distance to the triangles where it is below `most`, else that.
-float pnb_triangles(pnb_Grid g, vec3 p, float most) {
+// The distance to the triangles where it is below `most`, else that; the first texel of the nearest,
+// -1 if none is so near.
+float pnb_triangles(pnb_Grid g, vec3 p, float most, out int nearest) {
   float best = most * most;
+  nearest = -1;
   for (int i = 0; i < g.box_count;) {
     vec4 lo = pnb_texel(g.boxes + 2 * i), hi = pnb_texel(g.boxes + 2 * i + 1);
     if (pnb_squared(max(max(lo.xyz - p, p - hi.xyz), 0.0)) >= best) {
@@ -52,7 +51,9 @@ float pnb_triangles(pnb_Grid g, vec3 p, float most) {
     vec4 a = vec4(0.0);
     for (int t = g.triangles + 3 * int(hi.w); a.w == 0.0; t += 3) {
       a = pnb_texel(t);
-      best = min(best, pnb_triangle2(p, a.xyz, pnb_texel(t + 1).xyz, pnb_texel(t + 2).xyz));
+      float d = pnb_triangle2(p, a.xyz, pnb_texel(t + 1).xyz, pnb_texel(t + 2).xyz);
+      if (d < best) nearest = t;
+      best = min(best, d);
     }
   }
   return sqrt(best);
@@ -141,8 +142,123 @@ float pnb_grid(pnb_Grid g, vec3 p, bool with_sign) {
     float d = pnb_less_error(m) * h;
     return with_sign && v[nearest] < 0.0 ? -d : d;
   }
-  float d = pnb_triangles(g, p, (m + 0.87) * h);
+  int nearest_triangle;
+  float d = pnb_triangles(g, p, (m + 0.87) * h, nearest_triangle);
   float far = m > 3.0 ? pnb_less_error(m) * h : 0.0;
   float result = d + clamp(m - 3.0, 0.0, 1.0) * (far - d);
   return with_sign && pnb_is_inside(g, p, v, at, nearest, d) ? -result : result;
+}
+
+// Record k of the instances, 14 texels: a row of the map to the grid's frame in each of the first
+// three, of the map back, of that of normals with scale, material and instance behind them; the grid;
+// the corners' numbers, the vertices, texels of a vertex, 1 = with normals; the ball around it, of
+// negative radius if the shape has a formula for its distances.
+int pnb_mesh_record(int k) { return pnb_first_mesh + 1 + 14 * k; }
+
+vec3 pnb_mapped(int rows, vec4 p) {
+  return vec3(dot(pnb_texel(rows), p), dot(pnb_texel(rows + 1), p), dot(pnb_texel(rows + 2), p));
+}
+
+pnb_Grid pnb_grid_of(int record) {
+  vec4 a = pnb_texel(record + 9), b = pnb_texel(record + 10), c = pnb_texel(record + 11);
+  return pnb_Grid(int(a.x), int(a.y), int(a.z), int(a.w), int(b.x), int(b.y), int(b.z), int(b.w),
+                  int(c.x), c.y, c.z, c.w);
+}
+
+// The field with the meshes, d without. What is so far that the ball around it is further than d is
+// left out: distances are at least 5/6 of those to it.
+float pnb_with_meshes(vec3 p, float d, bool with_sign, bool by_size) {
+  int count = int(pnb_texel(pnb_first_mesh).x);
+  for (int k = 0;; ++k) {
+    // A loop of its own, for software drivers run whatever stands in a loop, branched over or not.
+    for (; k < count; ++k) {
+      vec4 ball = pnb_texel(pnb_mesh_record(k) + 13);
+      if (ball.w < 0.0 || 0.8 * (length(p - ball.xyz) - ball.w) > abs(d)) continue;
+      if (with_sign || pnb_left_out < 0) break;
+      if (int(pnb_texel(pnb_mesh_record(k) + 8).w) != pnb_left_out) break;
+    }
+    if (k >= count) return d;
+    int record = pnb_mesh_record(k);
+    vec3 q = pnb_mapped(record, vec4(p, 1.0));
+    float e = pnb_texel(record + 6).w * pnb_grid(pnb_grid_of(record), q, with_sign);
+    d = by_size ? pnb_nearer(d, e) : min(d, e);
+  }
+}
+
+// A triangle that a ray has met.
+struct pnb_Facet {
+  int record;  // of its instance; -1: none is met
+  vec3 position, normal;  // there, unit, by the winding
+  bool is_smooth;         // has vertex normals
+  vec3 smooth_normal;     // unit; of the normal's side
+  vec3 lifted, sunk;      // raised to what the vertex normals describe: seen from the front, the back
+  vec4 uv;                // both sets
+  vec2 uv_per_metre;
+};
+
+// A corner's share of the way up to the planes across the vertex normals (Hanika 2021, section 4.3).
+vec3 pnb_lift(vec3 p, vec3 corner, vec3 normal, float weight) {
+  return normal * (weight * -min(0.0, dot(p - corner, normal)));
+}
+
+// The facet within `most` of p that is nearest to it; where the ray meets its plane.
+pnb_Facet pnb_facet(vec3 p, vec3 rd, inout float most) {
+  pnb_Facet f;
+  f.record = -1;
+  int triangle = 0, count = int(pnb_texel(pnb_first_mesh).x);
+  for (int k = 0;; ++k) {
+    for (; k < count; ++k) {
+      vec4 ball = pnb_texel(pnb_mesh_record(k) + 13);
+      if (length(p - ball.xyz) - abs(ball.w) <= most) break;
+    }
+    if (k >= count) break;
+    int record = pnb_mesh_record(k), nearest;
+    float scale = pnb_texel(record + 6).w;
+    vec3 q = pnb_mapped(record, vec4(p, 1.0));
+    float d = scale * pnb_triangles(pnb_grid_of(record), q, most / scale, nearest);
+    if (nearest >= 0) most = d, triangle = nearest, f.record = record;
+  }
+  if (f.record < 0) return f;
+  vec4 b = pnb_texel(triangle + 1);
+  vec3 corner[3], q = pnb_mapped(f.record, vec4(p, 1.0));
+  corner[0] = pnb_texel(triangle).xyz, corner[1] = b.xyz, corner[2] = pnb_texel(triangle + 2).xyz;
+  vec3 u = corner[1] - corner[0], v = corner[2] - corner[0], n = cross(u, v);
+  vec3 way = pnb_mapped(f.record, vec4(rd, 0.0));
+  float facing = dot(way, n), height = dot(corner[0] - q, n);
+  if (abs(facing) > 0.05 * length(way) * length(n)) q += way * (height / facing);
+  float nn = max(dot(n, n), 1e-30);
+  vec3 to = q - corner[0];
+  vec3 weight = clamp(vec3(0.0, dot(cross(to, v), n) / nn, dot(cross(u, to), n) / nn), 0.0, 1.0);
+  weight.x = max(0.0, 1.0 - weight.y - weight.z);
+  for (int i = 0; i < 3; ++i) corner[i] = pnb_mapped(f.record + 3, vec4(corner[i], 1.0));
+  f.position = corner[0] * weight.x + corner[1] * weight.y + corner[2] * weight.z;
+  // A triangle of the grid's frame has its front where its mesh has it, whatever mirrors there are.
+  f.normal = normalize(pnb_texel(f.record).xyz * n.x + pnb_texel(f.record + 1).xyz * n.y +
+                       pnb_texel(f.record + 2).xyz * n.z);
+  vec4 table = pnb_texel(f.record + 12);
+  vec3 vertex = pnb_texel(int(table.x) + int(b.w)).xyz;
+  vec3 normal[3];
+  vec4 uv[3];
+  f.is_smooth = table.w > 0.0;
+  for (int i = 0; i < 3; ++i) {
+    int at = int(table.y) + int(table.z) * int(vertex[i]);
+    normal[i] = f.is_smooth ? pnb_mapped(f.record + 6, vec4(pnb_texel(at).xyz, 0.0)) : f.normal;
+    normal[i] /= max(length(normal[i]), 1e-30);
+    uv[i] = table.z > 1.0 ? pnb_texel(at + 1) : vec4(0.0);
+  }
+  vec3 sum = normal[0] * weight.x + normal[1] * weight.y + normal[2] * weight.z;
+  float size = length(sum);
+  // Below a third the vertex normals contradict one another or the facet: no smooth surface.
+  if (size <= 0.33 || dot(sum, f.normal) < 0.33 * size) f.is_smooth = false;
+  f.smooth_normal = f.is_smooth ? sum / size : f.normal;
+  f.lifted = f.sunk = f.position;
+  for (int i = 0; i < 3; ++i) {
+    f.lifted += pnb_lift(f.position, corner[i], normal[i], weight[i]);
+    f.sunk += pnb_lift(f.position, corner[i], -normal[i], weight[i]);
+  }
+  f.uv = uv[0] * weight.x + uv[1] * weight.y + uv[2] * weight.z;
+  vec4 du = uv[1] - uv[0], dv = uv[2] - uv[0];
+  float area = length(cross(corner[1] - corner[0], corner[2] - corner[0]));
+  f.uv_per_metre = sqrt(abs(du.xz * dv.yw - du.yw * dv.xz) / max(area, 1e-30));
+  return f;
 }

@@ -1,14 +1,11 @@
 #include "sdf/glsl/mesh_texels.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "base/parallel.h"
 #include "sdf/distance_levels.h"
-#include "sdf/glsl/numbers.h"
 #include "sdf/triangle_tree.h"
 
 namespace penumbra::sdf {
@@ -112,32 +109,127 @@ Table table_of(const DistanceLevels& levels) {
   return table;
 }
 
+void add_rows(const Affine& m, std::array<double, 3> behind, std::vector<float>& texels) {
+  const Vec3d* column[3] = {&m.x, &m.y, &m.z};
+  for (int row = 0; row < 3; ++row) {
+    for (const Vec3d* c : column) texels.push_back(static_cast<float>((*c)[row]));
+    texels.push_back(static_cast<float>(behind[static_cast<std::size_t>(row)]));
+  }
+}
+
+void add_map(const Affine& m, std::vector<float>& texels) {
+  add_rows(m, {m.t.x, m.t.y, m.t.z}, texels);
+}
+
+/// Three numbers of vertices a triangle, in the order of the grid's.
+std::vector<float> corners_of(const Mesh& mesh, bool turned_round) {
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const std::uint32_t b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+    numbers.insert(numbers.end(),
+                   {static_cast<float>(mesh.indices[i]), static_cast<float>(turned_round ? c : b),
+                    static_cast<float>(turned_round ? b : c), 0.0f});
+  }
+  return numbers;
+}
+
+/// Normals, and behind each the texture coordinates if there are any.
+std::vector<float> vertices_of(const Mesh& mesh) {
+  const bool has_uv = !mesh.uv[0].empty() || !mesh.uv[1].empty();
+  std::vector<float> vertices;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 n = mesh.normals.empty() ? Vec3() : mesh.normals[i];
+    vertices.insert(vertices.end(), {n.x, n.y, n.z, 0.0f});
+    if (!has_uv) continue;
+    for (const auto& uv : mesh.uv) {
+      const Vec2 at = uv.empty() ? Vec2{} : uv[i];
+      vertices.insert(vertices.end(), {at.x, at.y});
+    }
+  }
+  return vertices;
+}
+
 }  // namespace
 
-int MeshTexels::append(const std::vector<float>& numbers) {
+float MeshTexels::append(const std::vector<float>& numbers) {
+  texels_.resize((texels_.size() + 15) / 16 * 16);
   const std::size_t first = texels_.size() / 4;
   texels_.insert(texels_.end(), numbers.begin(), numbers.end());
   texels_.resize((texels_.size() + 3) / 4 * 4);
-  return static_cast<int>(first);
+  return static_cast<float>(first);
 }
 
-std::string MeshTexels::add(const MeshGrid& grid) {
-  std::string& text = written_[&grid];
-  if (!text.empty()) return text;
-  const DistanceLevels& levels = grid.levels();
+void MeshTexels::write_mesh(const TriangleTree& tree, const Mesh& mesh, bool turned_round,
+                            GridRecord& r) {
   std::vector<float> boxes, triangles;
-  grid.triangles().write_texels(boxes, triangles);
-  const std::size_t box_count = boxes.size() / 8;
+  tree.write_texels(boxes, triangles);
+  r[5] = append(boxes), r[6] = static_cast<float>(boxes.size() / 8);
+  r[7] = append(triangles);
+  r[12] = append(corners_of(mesh, turned_round)), r[13] = append(vertices_of(mesh));
+  r[14] = mesh.uv[0].empty() && mesh.uv[1].empty() ? 1.0f : 2.0f;
+  r[15] = mesh.normals.empty() ? 0.0f : 1.0f;
+}
+
+MeshTexels::GridRecord MeshTexels::write(const MeshGrid& grid, const Mesh& mesh,
+                                         bool turned_round) {
+  const DistanceLevels& levels = grid.levels();
   const Table table = table_of(levels);
-  const int nodes_at = append({levels.nodes.begin(), levels.nodes.end()});
-  const int values_at = append(values_of(levels, grid.triangles()));
-  const int table_at = append(table.pairs);
-  const int boxes_at = append(boxes), triangles_at = append(triangles);
-  text = fmt::format("pnb_Grid({}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {})", nodes_at,
-                     values_at, table_at, table.depth, table.side, boxes_at, box_count,
-                     triangles_at, levels.levels, number(levels.voxel),
-                     number(grid.frame().ball_radius), grid.is_closed() ? "0.5" : "0.6");
-  return text;
+  GridRecord r{};
+  r[0] = append({levels.nodes.begin(), levels.nodes.end()});
+  r[1] = append(values_of(levels, grid.triangles()));
+  r[2] = append(table.pairs);
+  r[3] = static_cast<float>(table.depth), r[4] = static_cast<float>(table.side);
+  r[8] = static_cast<float>(levels.levels), r[9] = levels.voxel;
+  r[10] = grid.frame().ball_radius, r[11] = grid.is_closed() ? 0.5f : 0.6f;
+  write_mesh(grid.triangles(), mesh, turned_round, r);
+  return r;
+}
+
+void MeshTexels::add_record(const Instance& instance, std::size_t number, const Affine& from_world,
+                            double scale, const GridRecord& grid) {
+  add_map(from_world, records_);
+  add_map(inverse(from_world), records_);
+  // The cofactor matrix of a mirroring turns normals round; turn them back.
+  const Affine& m = instance.world_from_mesh;
+  const double side = m.determinant() < 0 ? -1 : 1;
+  add_rows({cross(m.y, m.z) * side, cross(m.z, m.x) * side, cross(m.x, m.y) * side, {}},
+           {scale, double(instance.material), instance.mesh_light < 0 ? -1.0 : double(number)},
+           records_);
+  records_.insert(records_.end(), grid.begin(), grid.end());
+  const Vec3 center(inverse(from_world).t);
+  const bool has_formula = grid[8] == 0;
+  records_.insert(records_.end(), {center.x, center.y, center.z,
+                                   static_cast<float>(scale) * (has_formula ? -1 : 1) * grid[10]});
+}
+
+void MeshTexels::add(const Scene& scene, std::size_t number, const MeshDistance::Placed& placed) {
+  const Instance& instance = scene.instances[number];
+  const Affine& world_from_mesh = instance.world_from_mesh;
+  auto [at, is_new] = written_.try_emplace(placed.grid);
+  if (is_new)
+    at->second = write(*placed.grid, scene.meshes[instance.mesh],
+                       world_from_mesh.determinant() < 0 && !is_similarity(world_from_mesh));
+  const MeshGrid::Frame frame = placed.grid->frame();
+  const double unit = 1 / frame.side;
+  const Affine to_unit{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}, frame.center * -unit};
+  add_record(instance, number, to_unit * placed.grid_from_world, placed.scale * frame.side,
+             at->second);
+}
+
+void MeshTexels::add_triangles(const Scene& scene, std::size_t number) {
+  const Instance& instance = scene.instances[number];
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  GridRecord r{};
+  for (const Vec3& p : mesh.positions) r[10] = std::max(r[10], length(p));
+  write_mesh(TriangleTree(mesh.positions, mesh.indices), mesh, false, r);
+  add_record(instance, number, inverse(instance.world_from_mesh),
+             length(instance.world_from_mesh.x), r);
+}
+
+int MeshTexels::finish() {
+  std::vector<float> all{static_cast<float>(records_.size() / (14 * 4)), 0, 0, 0};
+  all.insert(all.end(), records_.begin(), records_.end());
+  return static_cast<int>(append(all));
 }
 
 }  // namespace penumbra::sdf
