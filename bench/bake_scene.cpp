@@ -41,11 +41,12 @@ Mesh ball(const Vec3& center, float radius, int rings, int sectors) {
   Mesh mesh;
   for (int r = 0; r <= rings; ++r)
     for (int s = 0; s <= sectors; ++s) {
+      // The seam and the poles are closed to the last bit.
       const float t = pi * static_cast<float>(r) / static_cast<float>(rings);
-      const float p = 2 * pi * static_cast<float>(s) / static_cast<float>(sectors);
-      mesh.positions.push_back(
-          center +
-          Vec3{std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)} * radius);
+      const float p = 2 * pi * static_cast<float>(s % sectors) / static_cast<float>(sectors);
+      const float away = r == 0 || r == rings ? 0 : std::sin(t);
+      mesh.positions.push_back(center +
+                               Vec3{away * std::cos(p), std::cos(t), away * std::sin(p)} * radius);
     }
   const auto at = [&](int r, int s) { return static_cast<std::uint32_t>(r * (sectors + 1) + s); };
   for (int r = 0; r < rings; ++r)

@@ -28,9 +28,12 @@ struct Shaft {
   Plane light_plane;
   float light_epsilon = 0;
   float receiver_epsilon = 0;  ///< what is nearer to the plane of the receiver lies on it, metres
+  Bounds samples;              ///< round them; empty for a light at infinity
+  Vec3 towards;                ///< samples at infinity: their middle direction, unit
+  float spread = 0;            ///< of those, the sine of how far one is from it
   bool empty = false;          ///< no sample is in front of the receiver
 
-  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> samples,
+  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> points,
         const Occluders& occluders);
 
   /// False for a sphere that is known to be out.
