@@ -1,5 +1,5 @@
 // How fast radiance textures are baked on the processor: the workloads of Heckbert and Herf (1997).
-//   bench_bake [--quick] [--threads N]
+//   bench_bake [--quick] [--threads N] [--only rebake|light|table|scaling|samples]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -106,16 +106,19 @@ void report_samples(int repeats) {
 int main(int argc, char** argv) {
   bool quick = false;
   int threads = 0;
+  std::string only;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--quick")) quick = true;
+    if (!std::strcmp(argv[i], "--only") && i + 1 < argc) only = argv[++i];
     if (!std::strcmp(argv[i], "--threads") && i + 1 < argc) threads = std::atoi(argv[++i]);
   }
   const ThreadLimit limit(threads);
   const int repeats = quick ? 1 : 5;
   fmt::print("{} threads\n", thread_count());
-  report("rebake", Bake(room(749, 4, 200000)), repeats);
-  report("fine light", Bake(room(6142, 16, 200000)), repeats);
-  report("table", Bake(room_with_table(6142, 200000)), repeats);
-  report_scaling(repeats, quick ? 4000 : 64000);
-  report_samples(repeats);
+  const auto wanted = [&](const char* name) { return only.empty() || only == name; };
+  if (wanted("rebake")) report("rebake", Bake(room(749, 4, 200000)), repeats);
+  if (wanted("light")) report("fine light", Bake(room(6142, 16, 200000)), repeats);
+  if (wanted("table")) report("table", Bake(room_with_table(6142, 200000)), repeats);
+  if (wanted("scaling")) report_scaling(repeats, quick ? 4000 : 64000);
+  if (wanted("samples")) report_samples(repeats);
 }

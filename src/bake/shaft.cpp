@@ -62,12 +62,12 @@ void Shaft::add(const Vec3& normal, const Vec3& through, float slack) {
 // A point at height h over the receiver and inside the side by s has slope s / h from it: the plane
 // through side and sample is m − (s / h) n, m being the direction inwards.
 void Shaft::add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
-                     const SampledLight& light, std::span<const LightSample> samples, float slack) {
+                     const SampledLight& light, std::span<const LightSample> points, float slack) {
   Vec3 m = cross(tile.normal, along);
   if (dot(m, inside) < 0) m = -m;
   m = normalize(m);
   float slope = INFINITY;
-  for (const LightSample& s : samples) {
+  for (const LightSample& s : points) {
     const Vec3 to = to_sample(light, s, through);
     const float h = dot(tile.normal, to);
     if (h > 0) slope = std::min(slope, dot(m, to) / h);

@@ -42,7 +42,7 @@ struct Shaft {
  private:
   void add(const Vec3& normal, const Vec3& through, float slack);
   void add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
-                const SampledLight& light, std::span<const LightSample> samples, float slack);
+                const SampledLight& light, std::span<const LightSample> points, float slack);
 };
 
 }  // namespace penumbra::bake
