@@ -14,6 +14,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::bake::HWY_NAMESPACE {
 
+/// For each pattern of bits the lanes whose bits are set, in order, before the others. (The
+/// library's CompressStore copies its table at every call.)
+struct LaneOrder {
+  HWY_ALIGN std::int32_t first_set[1u << lanes][lanes];
+
+  LaneOrder() {
+    for (std::uint32_t bits = 0; bits < 1u << lanes; ++bits) {
+      std::size_t at = 0;
+      for (const std::uint32_t wanted : {1u, 0u})
+        for (std::uint32_t lane = 0; lane < lanes; ++lane)
+          if ((bits >> lane & 1) == wanted) first_set[bits][at++] = static_cast<std::int32_t>(lane);
+    }
+  }
+};
+inline const LaneOrder& lane_order() {
+  static const LaneOrder order;
+  return order;
+}
+
 /// One walk through the tree.
 class Collector {
  public:
@@ -150,11 +169,10 @@ class Collector {
 
   void store(const F v[3][3], std::uint32_t bits) {
     if (bits == 0) return;
-    HWY_ALIGN std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-    const M which = hn::LoadMaskBits(D(), bytes);
+    const auto order = hn::SetTableIndices(D(), &lane_order().first_set[bits][0]);
     for (int c = 0; c < 3; ++c)
       for (int axis = 0; axis < 3; ++axis)
-        hn::CompressStore(v[c][axis], which, D(), &out_.corner[c][axis][out_.count]);
+        hn::StoreU(hn::TableLookupLanes(v[c][axis], order), D(), &out_.corner[c][axis][out_.count]);
     out_.count += static_cast<std::size_t>(std::popcount(bits));
   }
 

@@ -172,6 +172,7 @@ void Occluders::bound() {
   if (clusters_.empty()) return;
   levels_.push_back(parents(clusters_, bounds_of_cluster));
   while (levels_.back().size() > 1) levels_.push_back(parents(levels_.back(), bounds_of_node));
+  bounds_ = bounds_of_node(levels_.back().front());
 }
 
 }  // namespace penumbra::bake

@@ -50,6 +50,7 @@ class Occluders {
     return instance < masks_of_.size() ? masks_of_[instance].get() : nullptr;
   }
   std::size_t triangle_count() const { return triangle_count_; }
+  const Bounds& bounds() const { return bounds_; }  ///< of the triangles
 
   /// What is nearer than this to a plane through p lies on it, metres: World::epsilon_at().
   float epsilon_at(const Vec3& p) const {
@@ -70,6 +71,7 @@ class Occluders {
   std::unique_ptr<AlphaMasks> masks_;
   std::vector<std::unique_ptr<MaskedMesh>> masks_of_;  ///< per instance
   std::size_t triangle_count_ = 0;
+  Bounds bounds_;
   float roundings_, least_size_;
 };
 
