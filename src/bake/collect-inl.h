@@ -14,6 +14,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::bake::HWY_NAMESPACE {
 
+/// For each pattern of bits the lanes whose bits are set, in order, before the others. (The
+/// library's CompressStore copies its table at every call.)
+struct LaneOrder {
+  HWY_ALIGN std::int32_t first_set[1u << lanes][lanes];
+
+  LaneOrder() {
+    for (std::uint32_t bits = 0; bits < 1u << lanes; ++bits) {
+      std::size_t at = 0;
+      for (const std::uint32_t wanted : {1u, 0u})
+        for (std::uint32_t lane = 0; lane < lanes; ++lane)
+          if ((bits >> lane & 1) == wanted) first_set[bits][at++] = static_cast<std::int32_t>(lane);
+    }
+  }
+};
+inline const LaneOrder& lane_order() {
+  static const LaneOrder order;
+  return order;
+}
+
 /// One walk through the tree.
 class Collector {
  public:
@@ -57,6 +76,7 @@ class Collector {
   }
 
   void take(const TriangleCluster& cluster) {
+    const bool closed = sees_from_outside(cluster.closed_surfaces);
     out_.reserve(3 * TriangleCluster::size);
     for (std::size_t i = 0; i < 8; i += lanes) {
       F v[3][3];
@@ -75,6 +95,7 @@ class Collector {
       if (shaft_.light_epsilon > 0) in = hn::And(in, off_the_light(v));
       std::uint32_t bits = bits_of(in);
       if (bits == 0) continue;
+      if (closed) bits &= ~seen_from_inside(cluster, i, v);
       bits = without_own(cluster, i, bits);
       // offset of plane 0 = −epsilon − n · origin, so that −2 epsilon here is −epsilon there.
       const float under = 2 * receiver_epsilon();
@@ -88,6 +109,42 @@ class Collector {
       store(v, bits & ~crossing);
     }
   }
+
+  /// True if the samples are outside of closed surfaces with these bounds.
+  bool sees_from_outside(const Bounds& b) const {
+    if (b.empty()) return false;
+    const Bounds& s = shaft_.samples;
+    return s.empty() || s.lo.x > b.hi.x || s.lo.y > b.hi.y || s.lo.z > b.hi.z || s.hi.x < b.lo.x ||
+           s.hi.y < b.lo.y || s.hi.z < b.lo.z;
+  }
+
+  /// Bits of the triangles of closed surfaces whose inner side all samples see.
+  HWY_INLINE std::uint32_t seen_from_inside(const TriangleCluster& cluster, std::size_t i,
+                                            const F v[3][3]) const {
+    F u[3], w[3], n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      u[axis] = hn::Sub(v[1][axis], v[0][axis]);
+      w[axis] = hn::Sub(v[2][axis], v[0][axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+      n[axis] = hn::MulSub(u[b], w[c], hn::Mul(u[c], w[b]));
+    }
+    // The most that a sample can be above the triangle's plane, times twice its area.
+    F above = all(0);
+    const F size = hn::Sqrt(hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2]))));
+    const bool far = shaft_.samples.empty();
+    const Vec3 middle = far ? shaft_.towards : shaft_.samples.center();
+    for (int axis = 0; axis < 3; ++axis)
+      above = hn::MulAdd(n[axis], far ? all(middle[axis]) : hn::Sub(all(middle[axis]), v[0][axis]),
+                         above);
+    const F side = load(cluster.outer_side + i);
+    const F reach = all(far ? shaft_.spread + 1e-5f : shaft_.samples.diagonal() * 0.5f + slack());
+    const F most = hn::MulAdd(side, above, hn::Mul(size, reach));
+    return bits_of(hn::And(hn::Lt(most, all(0)), hn::Ne(side, all(0))));
+  }
+
+  float slack() const { return shaft_.light_epsilon + shaft_.receiver_epsilon; }
 
   HWY_INLINE M off_the_light(const F v[3][3]) const {
     const Plane& p = shaft_.light_plane;
@@ -112,11 +169,10 @@ class Collector {
 
   void store(const F v[3][3], std::uint32_t bits) {
     if (bits == 0) return;
-    HWY_ALIGN std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-    const M which = hn::LoadMaskBits(D(), bytes);
+    const auto order = hn::SetTableIndices(D(), &lane_order().first_set[bits][0]);
     for (int c = 0; c < 3; ++c)
       for (int axis = 0; axis < 3; ++axis)
-        hn::CompressStore(v[c][axis], which, D(), &out_.corner[c][axis][out_.count]);
+        hn::StoreU(hn::TableLookupLanes(v[c][axis], order), D(), &out_.corner[c][axis][out_.count]);
     out_.count += static_cast<std::size_t>(std::popcount(bits));
   }
 

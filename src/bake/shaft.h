@@ -28,9 +28,12 @@ struct Shaft {
   Plane light_plane;
   float light_epsilon = 0;
   float receiver_epsilon = 0;  ///< what is nearer to the plane of the receiver lies on it, metres
+  Bounds samples;              ///< round them; empty for a light at infinity
+  Vec3 towards;                ///< samples at infinity: their middle direction, unit
+  float spread = 0;            ///< of those, the sine of how far one is from it
   bool empty = false;          ///< no sample is in front of the receiver
 
-  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> samples,
+  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> points,
         const Occluders& occluders);
 
   /// False for a sphere that is known to be out.
@@ -39,7 +42,7 @@ struct Shaft {
  private:
   void add(const Vec3& normal, const Vec3& through, float slack);
   void add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
-                const SampledLight& light, std::span<const LightSample> samples, float slack);
+                const SampledLight& light, std::span<const LightSample> points, float slack);
 };
 
 }  // namespace penumbra::bake
