@@ -69,8 +69,8 @@ TEST_F(LightChart, HoldsIrradianceAloneForLightmaps) {
 TEST_F(LightChart, TexelsOutsideTakeTheLightOfTheNearestPointInside) {
   // Bright where the triangle is, black beyond its hypotenuse.
   add_mesh(scene_, {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {0, 1, 2});
-  const LitChart lit =
-      light([](const Vec3& p) { return Vec3(p.x - p.z < 1.00001f ? 1.0f : 0.0f); }, of_irradiance());
+  const LitChart lit = light([](const Vec3& p) { return Vec3(p.x - p.z < 1.00001f ? 1.0f : 0.0f); },
+                             of_irradiance());
   int known = 0;
   for (std::size_t i = 0; i < lit.texels.value.size(); ++i) {
     if (!lit.texels.is_known[i]) continue;

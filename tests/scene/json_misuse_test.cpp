@@ -186,7 +186,7 @@ TEST(JsonMisuse, Spheres) {
           {R"({"type": "sphere", "center": [0, 0, 0, 0], "radius": 1, "material": "floor"})",
            R"(2:30: "center" has 4 entries instead of 3; give [x, y, z], three numbers of size at most 1e9)"},
           {R"({"type": "sphere", "receives": 1, "center": [0, 0, 0], "radius": 1, "material": "floor"})",
-           R"(2:31: "receives" is a number; give true or false)"},
+           R"(2:32: "receives" is a number; give true or false)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "floor", "recieves": false})",
            R"(2:75: unknown key "recieves" in a sphere object; did you mean "receives"? (known: type, name, receives, center, radius, material))"},
       });
