@@ -29,7 +29,6 @@ std::size_t batch_size(const Occluders& occluders, const Tile& tile, const Sampl
   const float size = length(tile.corner(1, 1) - tile.corner(0, 0));
   const float density = static_cast<float>(occluders.triangle_count()) /
                         std::max(scene.half_area(), std::numeric_limits<float>::min());
-  if (getenv("BB")) return std::atoi(getenv("BB"));
   const auto count = static_cast<float>(light.samples.size());
   std::size_t best = most_in_batch;
   float least = INFINITY;
