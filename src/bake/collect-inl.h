@@ -9,6 +9,8 @@
 #define PENUMBRA_BAKE_COLLECT_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "bake/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -47,7 +49,12 @@ class Collector {
 
   void visit(std::size_t level, std::size_t index) {
     const BoxCluster& node = occluders_.levels()[level][index];
-    for (std::uint32_t bits = boxes_inside(node); bits != 0; bits &= bits - 1) {
+    const std::uint32_t inside = boxes_inside(node);
+    if (level == 0)
+      for (std::uint32_t bits = inside; bits != 0; bits &= bits - 1)
+        prefetch(
+            occluders_.clusters()[8 * index + static_cast<std::size_t>(std::countr_zero(bits))]);
+    for (std::uint32_t bits = inside; bits != 0; bits &= bits - 1) {
       const std::size_t child = 8 * index + static_cast<std::size_t>(std::countr_zero(bits));
       if (level > 0)
         visit(level - 1, child);
@@ -57,6 +64,13 @@ class Collector {
   }
 
  private:
+  /// Clusters of a large scene come from memory, several lines each.
+  HWY_INLINE static void prefetch(const TriangleCluster& cluster) {
+    constexpr std::size_t line = 64;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&cluster);
+    for (std::size_t at = 0; at < sizeof(TriangleCluster); at += line) hwy::Prefetch(bytes + at);
+  }
+
   /// Bits of the boxes that reach into the shaft.
   HWY_INLINE std::uint32_t boxes_inside(const BoxCluster& node) const {
     std::uint32_t inside = 0;
@@ -95,7 +109,8 @@ class Collector {
       if (shaft_.light_epsilon > 0) in = hn::And(in, off_the_light(v));
       std::uint32_t bits = bits_of(in);
       if (bits == 0) continue;
-      if (closed) bits &= ~seen_from_inside(cluster, i, v);
+      bits &= ~superfluous(cluster, i, v, closed);
+      if (bits == 0) continue;
       bits = without_own(cluster, i, bits);
       // offset of plane 0 = −epsilon − n · origin, so that −2 epsilon here is −epsilon there.
       const float under = 2 * receiver_epsilon();
@@ -114,13 +129,14 @@ class Collector {
   bool sees_from_outside(const Bounds& b) const {
     if (b.empty()) return false;
     const Bounds& s = shaft_.samples;
-    return s.empty() || s.lo.x > b.hi.x || s.lo.y > b.hi.y || s.lo.z > b.hi.z || s.hi.x < b.lo.x ||
-           s.hi.y < b.lo.y || s.hi.z < b.lo.z;
+    return shaft_.at_infinity || s.lo.x > b.hi.x || s.lo.y > b.hi.y || s.lo.z > b.hi.z ||
+           s.hi.x < b.lo.x || s.hi.y < b.lo.y || s.hi.z < b.lo.z;
   }
 
-  /// Bits of the triangles of closed surfaces whose inner side all samples see.
-  HWY_INLINE std::uint32_t seen_from_inside(const TriangleCluster& cluster, std::size_t i,
-                                            const F v[3][3]) const {
+  /// Bits of the triangles that no segment from tile to sample needs: both are on one side of the
+  /// triangle's plane, or, of closed surfaces if `closed`, all samples are on its inner side.
+  HWY_INLINE std::uint32_t superfluous(const TriangleCluster& cluster, std::size_t i,
+                                       const F v[3][3], bool closed) const {
     F u[3], w[3], n[3];
     for (int axis = 0; axis < 3; ++axis) {
       u[axis] = hn::Sub(v[1][axis], v[0][axis]);
@@ -130,21 +146,35 @@ class Collector {
       const int b = (axis + 1) % 3, c = (axis + 2) % 3;
       n[axis] = hn::MulSub(u[b], w[c], hn::Mul(u[c], w[b]));
     }
-    // The most that a sample can be above the triangle's plane, times twice its area.
-    F above = all(0);
+    // Distances from the plane times twice the area, and how far they vary.
     const F size = hn::Sqrt(hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2]))));
-    const bool far = shaft_.samples.empty();
-    const Vec3 middle = far ? shaft_.towards : shaft_.samples.center();
-    for (int axis = 0; axis < 3; ++axis)
-      above = hn::MulAdd(n[axis], far ? all(middle[axis]) : hn::Sub(all(middle[axis]), v[0][axis]),
-                         above);
-    const F side = load(cluster.outer_side + i);
-    const F reach = all(far ? shaft_.spread + 1e-5f : shaft_.samples.diagonal() * 0.5f + slack());
-    const F most = hn::MulAdd(side, above, hn::Mul(size, reach));
-    return bits_of(hn::And(hn::Lt(most, all(0)), hn::Ne(side, all(0))));
+    const F of_samples = distance(n, v[0], shaft_.samples_middle, shaft_.at_infinity);
+    const F of_tile = distance(n, v[0], shaft_.tile_middle, false);
+    const F spread = hn::Mul(size, all(shaft_.samples_reach));
+    const F extent = hn::MulAdd(
+        size, all(shaft_.slack),
+        hn::Add(hn::Abs(along(n, shaft_.tile_half_x)), hn::Abs(along(n, shaft_.tile_half_y))));
+    const M beyond = hn::And(hn::Gt(of_samples, spread), hn::Gt(of_tile, extent));
+    const M before = hn::And(hn::Lt(of_samples, hn::Neg(spread)), hn::Lt(of_tile, hn::Neg(extent)));
+    M drop = hn::Or(beyond, before);
+    if (closed) {
+      const F side = load(cluster.outer_side + i);
+      const F most = hn::MulAdd(side, of_samples, spread);
+      drop = hn::Or(drop, hn::And(hn::Lt(most, all(0)), hn::Ne(side, all(0))));
+    }
+    return bits_of(drop);
   }
 
-  float slack() const { return shaft_.light_epsilon + shaft_.receiver_epsilon; }
+  HWY_INLINE static F along(const F n[3], const Vec3& p) {
+    return hn::MulAdd(n[0], all(p.x), hn::MulAdd(n[1], all(p.y), hn::Mul(n[2], all(p.z))));
+  }
+  /// n · (p − from), or of a direction n · p.
+  HWY_INLINE static F distance(const F n[3], const F from[3], const Vec3& p, bool is_direction) {
+    if (is_direction) return along(n, p);
+    return hn::MulAdd(
+        n[0], hn::Sub(all(p.x), from[0]),
+        hn::MulAdd(n[1], hn::Sub(all(p.y), from[1]), hn::Mul(n[2], hn::Sub(all(p.z), from[2]))));
+  }
 
   HWY_INLINE M off_the_light(const F v[3][3]) const {
     const Plane& p = shaft_.light_plane;

@@ -12,9 +12,9 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// Samples that share a walk through the occluders, neighbours on the light: at most this many.
 constexpr std::size_t most_in_batch = 16;
-/// What it costs to look at a triangle that may be in a shaft, and to begin a walk, in triangles
-/// drawn (measured, and rounded).
-constexpr float cost_of_look = 2, cost_of_walk = 50;
+/// What it costs to look at a triangle that may be in a shaft, and to walk there, in triangles
+/// projected in vain (measured, and rounded).
+constexpr float cost_of_look = 4, cost_of_walk = 2000;
 
 /// The number of samples a batch with the least cost. A shaft from a tile of size d to samples g
 /// apart is (d² + d g + g²) / 3 in mean section, and holds as large a share of the triangles as it
