@@ -24,6 +24,9 @@ install(FILES ${PROJECT_BINARY_DIR}/penumbraConfig.cmake
 install(DIRECTORY include/penumbra DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN *.h)
 install(FILES shaders/soft_shadow.glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/penumbra/shaders)
+# three.js for previews, where scripts/get-viewer has put it.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/penumbra/viewer
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/penumbra OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET penumbra_program)
   install(TARGETS penumbra_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

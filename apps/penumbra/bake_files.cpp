@@ -1,5 +1,6 @@
 #include "bake_files.h"
 
+#include <fmt/format.h>
 #include <json/writer.h>
 
 #include <filesystem>
@@ -33,7 +34,7 @@ std::string description_text(const Arguments& a, const bake::Baked& baked) {
 }  // namespace
 
 std::string page_file(const Arguments& a, int page, std::size_t pages) {
-  return beside(a, pages > 1 ? "-" + std::to_string(page + 1) + ".exr" : ".exr");
+  return beside(a, pages > 1 ? fmt::format("-{}.exr", page + 1) : ".exr");
 }
 
 std::string description_file(const Arguments& a) { return beside(a, ".json"); }

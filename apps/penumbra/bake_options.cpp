@@ -45,7 +45,7 @@ void add_texture_options(CLI::App& command, Arguments& a) {
     return add_value(command, a, name, value, shown, read, help)->group("Textures");
   };
   add(
-      "--texel-size", "METRES", "2 million texels",
+      "--texel-size", "METRES", "4 million texels",
       [&](auto& t) { textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
       "side of a texel; finer where a base-colour texture is");
   add(

@@ -87,6 +87,18 @@ void Assembly::add_plain(std::uint32_t instance, bool back, const std::vector<Ve
   });
 }
 
+namespace {
+
+/// Channels that only some meshes have, where none of a primitive's did.
+void drop_empty_channels(GlbPrimitive& p) {
+  const auto is_zero = [](const Vec2& v) { return v.x == 0 && v.y == 0; };
+  if (p.uv.size() == 3 && std::ranges::all_of(p.uv[2], is_zero)) p.uv.pop_back();
+  if (std::ranges::all_of(p.colors, [](const Vec3& c) { return c == Vec3(1.0f); }))
+    p.colors.clear();
+}
+
+}  // namespace
+
 std::vector<GlbNode> Assembly::take() {
   std::vector<GlbNode> nodes;
   std::uint32_t last = 0xffffffffu;
@@ -94,6 +106,7 @@ std::vector<GlbNode> Assembly::take() {
     if (key.first != last) nodes.push_back({scene_.objects[key.first].name, {}});
     last = key.first;
     parts_.push_back({nodes.back().name, nodes.back().primitives.size(), key.second});
+    drop_empty_channels(primitive);
     nodes.back().primitives.push_back(std::move(primitive));
   }
   return nodes;

@@ -11,10 +11,13 @@ namespace penumbra::bake {
 /// Rows of 64-bit words; texel i of a row is bit i % 64 of word i / 64.
 class BitRaster {
  public:
+  /// Rows past the last that may be written.
+  static constexpr int spare_rows = 8;
+
   /// Clears it too.
   void resize(int width, int height) {
     width_ = width, height_ = height, words_ = (width + 63) / 64;
-    bits_.assign(static_cast<std::size_t>(words_) * height, 0);
+    bits_.assign(static_cast<std::size_t>(words_) * (height + spare_rows), 0);
   }
   void clear() { std::fill(bits_.begin(), bits_.end(), 0); }
 

@@ -18,17 +18,27 @@ struct ClipPolygon {
 /// neighbours stay neighbours.
 template <class Value>
 void clip(ClipPolygon& polygon, const Value& value) {
+  std::array<double, 9> at;
+  int kept_count = 0;
+  for (int i = 0; i < polygon.count; ++i) {
+    at[i] = value(polygon.corners[i]);
+    kept_count += at[i] >= 0;
+  }
+  if (kept_count == polygon.count) return;
+  if (kept_count == 0) {
+    polygon.count = 0;
+    return;
+  }
   ClipPolygon out;
   for (int i = 0; i < polygon.count; ++i) {
-    const Vec3d& a = polygon.corners[i];
-    const Vec3d& b = polygon.corners[i + 1 < polygon.count ? i + 1 : 0];
-    const double at_a = value(a), at_b = value(b);
-    if (at_a >= 0) out.corners[out.count++] = a;
-    if ((at_a >= 0) == (at_b >= 0)) continue;
-    const bool a_stays = at_a >= 0;
-    const Vec3d &kept = a_stays ? a : b, &lost = a_stays ? b : a;
-    const double from = a_stays ? at_a : at_b, to = a_stays ? at_b : at_a;
-    out.corners[out.count++] = kept + (lost - kept) * (from / (from - to));
+    const int next = i + 1 < polygon.count ? i + 1 : 0;
+    const bool stays = at[i] >= 0;
+    if (stays) out.corners[out.count++] = polygon.corners[i];
+    if (stays == (at[next] >= 0)) continue;
+    const int kept = stays ? i : next, lost = stays ? next : i;
+    out.corners[out.count++] =
+        polygon.corners[kept] +
+        (polygon.corners[lost] - polygon.corners[kept]) * (at[kept] / (at[kept] - at[lost]));
   }
   polygon = out;
 }

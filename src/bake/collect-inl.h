@@ -9,10 +9,31 @@
 #define PENUMBRA_BAKE_COLLECT_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "bake/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::bake::HWY_NAMESPACE {
+
+/// For each pattern of bits the lanes whose bits are set, in order, before the others. (The
+/// library's CompressStore copies its table at every call.)
+struct LaneOrder {
+  HWY_ALIGN std::int32_t first_set[1u << lanes][lanes];
+
+  LaneOrder() {
+    for (std::uint32_t bits = 0; bits < 1u << lanes; ++bits) {
+      std::size_t at = 0;
+      for (const std::uint32_t wanted : {1u, 0u})
+        for (std::uint32_t lane = 0; lane < lanes; ++lane)
+          if ((bits >> lane & 1) == wanted) first_set[bits][at++] = static_cast<std::int32_t>(lane);
+    }
+  }
+};
+inline const LaneOrder& lane_order() {
+  static const LaneOrder order;
+  return order;
+}
 
 /// One walk through the tree.
 class Collector {
@@ -28,7 +49,12 @@ class Collector {
 
   void visit(std::size_t level, std::size_t index) {
     const BoxCluster& node = occluders_.levels()[level][index];
-    for (std::uint32_t bits = boxes_inside(node); bits != 0; bits &= bits - 1) {
+    const std::uint32_t inside = boxes_inside(node);
+    if (level == 0)
+      for (std::uint32_t bits = inside; bits != 0; bits &= bits - 1)
+        prefetch(
+            occluders_.clusters()[8 * index + static_cast<std::size_t>(std::countr_zero(bits))]);
+    for (std::uint32_t bits = inside; bits != 0; bits &= bits - 1) {
       const std::size_t child = 8 * index + static_cast<std::size_t>(std::countr_zero(bits));
       if (level > 0)
         visit(level - 1, child);
@@ -38,6 +64,13 @@ class Collector {
   }
 
  private:
+  /// Clusters of a large scene come from memory, several lines each.
+  HWY_INLINE static void prefetch(const TriangleCluster& cluster) {
+    constexpr std::size_t line = 64;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&cluster);
+    for (std::size_t at = 0; at < sizeof(TriangleCluster); at += line) hwy::Prefetch(bytes + at);
+  }
+
   /// Bits of the boxes that reach into the shaft.
   HWY_INLINE std::uint32_t boxes_inside(const BoxCluster& node) const {
     std::uint32_t inside = 0;
@@ -57,6 +90,7 @@ class Collector {
   }
 
   void take(const TriangleCluster& cluster) {
+    const bool closed = sees_from_outside(cluster.closed_surfaces);
     out_.reserve(3 * TriangleCluster::size);
     for (std::size_t i = 0; i < 8; i += lanes) {
       F v[3][3];
@@ -75,6 +109,8 @@ class Collector {
       if (shaft_.light_epsilon > 0) in = hn::And(in, off_the_light(v));
       std::uint32_t bits = bits_of(in);
       if (bits == 0) continue;
+      bits &= ~superfluous(cluster, i, v, closed);
+      if (bits == 0) continue;
       bits = without_own(cluster, i, bits);
       // offset of plane 0 = −epsilon − n · origin, so that −2 epsilon here is −epsilon there.
       const float under = 2 * receiver_epsilon();
@@ -87,6 +123,57 @@ class Collector {
         cut_off(cluster, i + static_cast<std::size_t>(std::countr_zero(b)));
       store(v, bits & ~crossing);
     }
+  }
+
+  /// True if the samples are outside of closed surfaces with these bounds.
+  bool sees_from_outside(const Bounds& b) const {
+    if (b.empty()) return false;
+    const Bounds& s = shaft_.samples;
+    return shaft_.at_infinity || s.lo.x > b.hi.x || s.lo.y > b.hi.y || s.lo.z > b.hi.z ||
+           s.hi.x < b.lo.x || s.hi.y < b.lo.y || s.hi.z < b.lo.z;
+  }
+
+  /// Bits of the triangles that no segment from tile to sample needs: both are on one side of the
+  /// triangle's plane, or, of closed surfaces if `closed`, all samples are on its inner side.
+  HWY_INLINE std::uint32_t superfluous(const TriangleCluster& cluster, std::size_t i,
+                                       const F v[3][3], bool closed) const {
+    F u[3], w[3], n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      u[axis] = hn::Sub(v[1][axis], v[0][axis]);
+      w[axis] = hn::Sub(v[2][axis], v[0][axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+      n[axis] = hn::MulSub(u[b], w[c], hn::Mul(u[c], w[b]));
+    }
+    // Distances from the plane times twice the area, and how far they vary.
+    const F size = hn::Sqrt(hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2]))));
+    const F of_samples = distance(n, v[0], shaft_.samples_middle, shaft_.at_infinity);
+    const F of_tile = distance(n, v[0], shaft_.tile_middle, false);
+    const F spread = hn::Mul(size, all(shaft_.samples_reach));
+    const F extent = hn::MulAdd(
+        size, all(shaft_.slack),
+        hn::Add(hn::Abs(along(n, shaft_.tile_half_x)), hn::Abs(along(n, shaft_.tile_half_y))));
+    const M beyond = hn::And(hn::Gt(of_samples, spread), hn::Gt(of_tile, extent));
+    const M before = hn::And(hn::Lt(of_samples, hn::Neg(spread)), hn::Lt(of_tile, hn::Neg(extent)));
+    M drop = hn::Or(beyond, before);
+    if (closed) {
+      const F side = load(cluster.outer_side + i);
+      const F most = hn::MulAdd(side, of_samples, spread);
+      drop = hn::Or(drop, hn::And(hn::Lt(most, all(0)), hn::Ne(side, all(0))));
+    }
+    return bits_of(drop);
+  }
+
+  HWY_INLINE static F along(const F n[3], const Vec3& p) {
+    return hn::MulAdd(n[0], all(p.x), hn::MulAdd(n[1], all(p.y), hn::Mul(n[2], all(p.z))));
+  }
+  /// n · (p − from), or of a direction n · p.
+  HWY_INLINE static F distance(const F n[3], const F from[3], const Vec3& p, bool is_direction) {
+    if (is_direction) return along(n, p);
+    return hn::MulAdd(
+        n[0], hn::Sub(all(p.x), from[0]),
+        hn::MulAdd(n[1], hn::Sub(all(p.y), from[1]), hn::Mul(n[2], hn::Sub(all(p.z), from[2]))));
   }
 
   HWY_INLINE M off_the_light(const F v[3][3]) const {
@@ -112,11 +199,10 @@ class Collector {
 
   void store(const F v[3][3], std::uint32_t bits) {
     if (bits == 0) return;
-    HWY_ALIGN std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-    const M which = hn::LoadMaskBits(D(), bytes);
+    const auto order = hn::SetTableIndices(D(), &lane_order().first_set[bits][0]);
     for (int c = 0; c < 3; ++c)
       for (int axis = 0; axis < 3; ++axis)
-        hn::CompressStore(v[c][axis], which, D(), &out_.corner[c][axis][out_.count]);
+        hn::StoreU(hn::TableLookupLanes(v[c][axis], order), D(), &out_.corner[c][axis][out_.count]);
     out_.count += static_cast<std::size_t>(std::popcount(bits));
   }
 

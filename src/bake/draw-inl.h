@@ -21,6 +21,7 @@ struct Edges {
   HWY_ALIGN float x[3][8], y[3][8], slope[3][8];
   HWY_ALIGN std::int32_t first[8], last[8];  ///< rows
   HWY_ALIGN float short_is_left[8];          ///< 1 or 0
+  HWY_ALIGN std::int32_t from[8], to[8];     ///< words of a row that it may reach
 };
 
 class Drawer {
@@ -97,11 +98,11 @@ class Drawer {
     sort_two(x[0], y[0], x[1], y[1]);
     const F first = hn::Max(hn::Ceil(y[0]), all(0));
     const F last = hn::Min(hn::Floor(y[2]), all(static_cast<float>(raster_.height() - 1)));
-    const F slack = all(edge_slack);
+    const F slack = all(edge_slack), right = all(static_cast<float>(raster_.width() - 1));
+    const F from = hn::Max(hn::Ceil(hn::Sub(least(x[0], x[1], x[2]), slack)), all(0));
+    const F to = hn::Min(hn::Floor(hn::Add(greatest(x[0], x[1], x[2]), slack)), right);
     // Between two rows, or between two columns: nothing to fill.
-    in = hn::And(in, hn::Le(first, last));
-    in = hn::And(in, hn::Le(hn::Ceil(hn::Sub(least(x[0], x[1], x[2]), slack)),
-                            hn::Floor(hn::Add(greatest(x[0], x[1], x[2]), slack))));
+    in = hn::And(in, hn::And(hn::Le(first, last), hn::Le(from, to)));
     std::uint32_t bits = bits_of(in);
     if (bits == 0) return;
     const F rise[3] = {hn::Sub(y[2], y[0]), hn::Sub(y[1], y[0]), hn::Sub(y[2], y[1])};
@@ -113,36 +114,85 @@ class Drawer {
     for (int k = 0; k < 3; ++k) {
       // A level edge bounds no row; the other short one does.
       const M level = hn::Le(rise[k], all(1e-6f));
-      const int from = k == 2 ? 1 : 0;
+      const int start = k == 2 ? 1 : 0;
       hn::Store(hn::IfThenElseZero(hn::Not(level), hn::Div(run[k], rise[k])), D(), e.slope[k]);
-      hn::Store(hn::IfThenElse(level, k == 0 ? x[0] : nowhere, x[from]), D(), e.x[k]);
-      hn::Store(y[from], D(), e.y[k]);
+      hn::Store(hn::IfThenElse(level, k == 0 ? x[0] : nowhere, x[start]), D(), e.x[k]);
+      hn::Store(y[start], D(), e.y[k]);
     }
     hn::Store(hn::IfThenElseZero(left, all(1)), D(), e.short_is_left);
     hn::Store(hn::ConvertTo(DI(), first), DI(), e.first);
     hn::Store(hn::ConvertTo(DI(), last), DI(), e.last);
+    hn::Store(hn::ShiftRight<6>(hn::ConvertTo(DI(), from)), DI(), e.from);
+    hn::Store(hn::ShiftRight<6>(hn::ConvertTo(DI(), to)), DI(), e.to);
     any_ = true;
-    for (; bits != 0; bits &= bits - 1) fill(e, static_cast<std::size_t>(std::countr_zero(bits)));
+    for (; bits != 0; bits &= bits - 1) {
+      const auto t = static_cast<std::size_t>(std::countr_zero(bits));
+      if (e.from[t] == e.to[t])
+        fill_word(e, t);
+      else
+        fill_words(e, t);
+    }
   }
 
-  HWY_INLINE void fill(const Edges& e, std::size_t t) {
-    const F left_end = all(0), right_end = all(static_cast<float>(raster_.width() - 1));
-    const F slack = all(edge_slack);
+  /// The texels between the edges in some rows, from `low` to `high`, as whole numbers.
+  struct Ends {
+    F first, last;
+  };
+  HWY_INLINE static Ends ends(const Edges& e, std::size_t t, F rows, F low, F high) {
+    F x[3];
+    for (int k = 0; k < 3; ++k)
+      x[k] = hn::MulAdd(hn::Sub(rows, all(e.y[k][t])), all(e.slope[k][t]), all(e.x[k][t]));
     const bool left = e.short_is_left[t] != 0;
+    const F bent = left ? hn::Max(x[1], x[2]) : hn::Min(x[1], x[2]);
+    const F a = hn::Max(hn::Sub(left ? bent : x[0], all(edge_slack)), low);
+    const F b = hn::Min(hn::Add(left ? x[0] : bent, all(edge_slack)), high);
+    return {hn::Ceil(a), hn::Floor(b)};
+  }
+
+  static constexpr int half = lanes > 4 ? 4 : static_cast<int>(lanes);
+
+  /// Of a triangle within one word of each row, as most are, without a branch on its shape.
+  HWY_INLINE void fill_word(const Edges& e, std::size_t t) {
+    const int first = e.first[t], word = e.from[t];
+    const F low = all(static_cast<float>(64 * word));
+    const F high = all(static_cast<float>(std::min(64 * word + 63, raster_.width() - 1)));
+    const F end = all(static_cast<float>(e.last[t]));
+    std::uint64_t* at = raster_.row(first) + word;
+    const std::ptrdiff_t step = raster_.words();
+    HWY_ALIGN std::int32_t from[8], to[8];
+    for (int r = first; r <= e.last[t]; r += static_cast<int>(lanes)) {
+      const F rows = hn::Iota(D(), static_cast<float>(r));
+      const Ends x = ends(e, t, rows, low, high);
+      const M any = hn::And(hn::Le(x.first, x.last), hn::Le(rows, end));
+      // Of an empty row the first is past the last, and so the bits between them none.
+      const F a = hn::IfThenElse(any, hn::Sub(x.first, low), all(63));
+      const F b = hn::IfThenElseZero(any, hn::Sub(x.last, low));
+      hn::Store(hn::ConvertTo(DI(), a), DI(), from);
+      hn::Store(hn::ConvertTo(DI(), b), DI(), to);
+      at = or_rows<0, half>(at, step, from, to);
+      // The raster has rows to spare.
+      if (lanes > half && r + half <= e.last[t]) at = or_rows<half, half>(at, step, from, to);
+    }
+  }
+
+  template <int first, int count>
+  HWY_INLINE static std::uint64_t* or_rows(std::uint64_t* at, std::ptrdiff_t step,
+                                           const std::int32_t* from, const std::int32_t* to) {
+    for (int k = first; k < first + count; ++k, at += step)
+      *at |= ((std::uint64_t{2} << to[k]) - 1) & (~std::uint64_t{0} << from[k]);
+    return at;
+  }
+
+  HWY_INLINE void fill_words(const Edges& e, std::size_t t) {
+    const F low = all(0), high = all(static_cast<float>(raster_.width() - 1));
     const int first = e.first[t], last = e.last[t];
     std::uint64_t* row = raster_.row(first);
     HWY_ALIGN std::int32_t from[8], to[8];
     for (int r = first; r <= last; r += static_cast<int>(lanes)) {
-      const F rows = hn::Iota(D(), static_cast<float>(r));
-      F x[3];
-      for (int k = 0; k < 3; ++k)
-        x[k] = hn::MulAdd(hn::Sub(rows, all(e.y[k][t])), all(e.slope[k][t]), all(e.x[k][t]));
-      const F bent = left ? hn::Max(x[1], x[2]) : hn::Min(x[1], x[2]);
-      const F a = hn::Max(hn::Sub(left ? bent : x[0], slack), left_end);
-      const F b = hn::Min(hn::Add(left ? x[0] : bent, slack), right_end);
-      // Without an upper limit on a nor a lower one on b: their integers saturate or stay ordered.
-      hn::Store(hn::ConvertTo(DI(), hn::Ceil(hn::Min(a, all(1e6f)))), DI(), from);
-      hn::Store(hn::ConvertTo(DI(), hn::Floor(hn::Max(b, all(-1e6f)))), DI(), to);
+      const Ends x = ends(e, t, hn::Iota(D(), static_cast<float>(r)), low, high);
+      // Without an upper limit on the first nor a lower one on the last: they stay ordered.
+      hn::Store(hn::ConvertTo(DI(), hn::Min(x.first, all(1e6f))), DI(), from);
+      hn::Store(hn::ConvertTo(DI(), hn::Max(x.last, all(-1e6f))), DI(), to);
       const int count = std::min(static_cast<int>(lanes), last - r + 1);
       for (int k = 0; k < count; ++k, row += raster_.words())
         if (from[k] <= to[k]) BitRaster::fill(row, from[k], to[k]);

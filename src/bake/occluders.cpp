@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/closed_mesh.h"
 #include "scene/extent.h"
 #include "sdf/field.h"
 #include "sdf/mesher.h"
@@ -10,7 +11,13 @@ namespace penumbra::bake {
 
 struct Occluders::Triangle {
   Vec3 corner[3];
-  std::uint32_t instance, triangle;
+  std::uint32_t instance, triangle, surface;
+};
+
+/// A mesh in its place.
+struct Occluders::Surface {
+  float outer_side = 0;
+  Bounds bounds;
 };
 
 namespace {
@@ -80,17 +87,24 @@ Occluders::Occluders(const Scene& scene, const sdf::ConversionOptions& conversio
       least_size_(extent_of(scene).diagonal() / 16) {
   add_masks(scene);
   std::vector<Triangle> triangles;
+  std::vector<Surface> surfaces;
   std::size_t count = 0;
   for (const Instance& i : scene.instances) count += scene.meshes[i.mesh].triangle_count();
   triangles.reserve(count);
   const auto add = [&](const Mesh& mesh, const Affine& world_from_mesh, std::uint32_t instance) {
     const bool moved = !world_from_mesh.is_identity();
+    const auto number = static_cast<std::uint32_t>(surfaces.size());
+    Surface& surface = surfaces.emplace_back();
+    if (!mask(instance))
+      surface.outer_side = static_cast<float>(outer_side(mesh)) *
+                           (moved && world_from_mesh.determinant() < 0 ? -1.0f : 1.0f);
     for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
       Triangle& out = triangles.emplace_back();
-      out.instance = instance, out.triangle = t;
+      out.instance = instance, out.triangle = t, out.surface = number;
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& p = mesh.positions[mesh.indices[std::size_t{3} * t + i]];
         out.corner[i] = moved ? world_from_mesh.point(p) : p;
+        surface.bounds.grow(out.corner[i]);
       }
     }
   };
@@ -105,7 +119,7 @@ Occluders::Occluders(const Scene& scene, const sdf::ConversionOptions& conversio
       add(part.mesh, {}, PrimitiveId::none);
   }
   triangle_count_ = triangles.size();
-  arrange(triangles);
+  arrange(triangles, surfaces);
   bound();
 }
 
@@ -123,7 +137,8 @@ void Occluders::add_masks(const Scene& scene) {
   }
 }
 
-void Occluders::arrange(const std::vector<Triangle>& triangles) {
+void Occluders::arrange(const std::vector<Triangle>& triangles,
+                        const std::vector<Surface>& surfaces) {
   std::vector<Key> keys;
   keys.reserve(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -145,6 +160,9 @@ void Occluders::arrange(const std::vector<Triangle>& triangles) {
       for (int axis = 0; axis < 3; ++axis)
         cluster.corner[corner][axis][lane] = t.corner[corner][axis];
     cluster.instance[lane] = t.instance, cluster.triangle[lane] = t.triangle;
+    const Surface& surface = surfaces[t.surface];
+    cluster.outer_side[lane] = surface.outer_side;
+    if (surface.outer_side != 0) cluster.closed_surfaces.grow(surface.bounds);
     cluster.masked |= mask(t.instance) != nullptr;
     ++cluster.count;
   }
@@ -154,6 +172,7 @@ void Occluders::bound() {
   if (clusters_.empty()) return;
   levels_.push_back(parents(clusters_, bounds_of_cluster));
   while (levels_.back().size() > 1) levels_.push_back(parents(levels_.back(), bounds_of_node));
+  bounds_ = bounds_of_node(levels_.back().front());
 }
 
 }  // namespace penumbra::bake

@@ -17,6 +17,12 @@ struct TriangleCluster {
   static constexpr int size = 8;
   alignas(32) float corner[3][3][size];  ///< by corner and axis
   std::uint32_t instance[size], triangle[size];
+  /// 1 or −1: the triangle is part of a closed surface whose outside is where it winds
+  /// counter-clockwise or clockwise; 0: it is not. A point outside of the surface sees of all that
+  /// the surface hides from it some triangle from outside (the last on the way to it), so that
+  /// those seen from inside need not be drawn.
+  alignas(32) float outer_side[size] = {};
+  Bounds closed_surfaces;  ///< round all of those that it has parts of
   int count = 0;
   bool masked = false;  ///< any of a material with holes
 };
@@ -44,6 +50,7 @@ class Occluders {
     return instance < masks_of_.size() ? masks_of_[instance].get() : nullptr;
   }
   std::size_t triangle_count() const { return triangle_count_; }
+  const Bounds& bounds() const { return bounds_; }  ///< of the triangles
 
   /// What is nearer than this to a plane through p lies on it, metres: World::epsilon_at().
   float epsilon_at(const Vec3& p) const {
@@ -52,9 +59,10 @@ class Occluders {
 
  private:
   struct Triangle;
+  struct Surface;
 
   void add_masks(const Scene& scene);
-  void arrange(const std::vector<Triangle>& triangles);
+  void arrange(const std::vector<Triangle>& triangles, const std::vector<Surface>& surfaces);
   void bound();
 
   std::vector<TriangleCluster> clusters_;
@@ -63,6 +71,7 @@ class Occluders {
   std::unique_ptr<AlphaMasks> masks_;
   std::vector<std::unique_ptr<MaskedMesh>> masks_of_;  ///< per instance
   std::size_t triangle_count_ = 0;
+  Bounds bounds_;
   float roundings_, least_size_;
 };
 

@@ -13,7 +13,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr double default_texels = 1 << 21;
+constexpr double default_texels = 1 << 22;
 // A texel kept: value and two marks; in the page that is filled: colour, alpha, mark, code; of a
 // chart at work: value, place and a point for rays, for each thread and sample.
 constexpr double kept_bytes = 14, page_bytes = 24, work_bytes = 80;
@@ -28,10 +28,15 @@ float default_texel_size(const Plan& plan) {
   return static_cast<float>(std::sqrt(area / default_texels));
 }
 
-double needed_bytes(const Plan& plan, int supersample) {
+/// With texels `coarser` times as large.
+double needed_bytes(const Plan& plan, int supersample, double coarser) {
   double texels = 0, largest = 0;
   for (const CutChart& chart : plan.charts) {
-    const double n = static_cast<double>(chart.shape.width) * chart.shape.height;
+    const auto side = [&](const Vec3& edge) {
+      const double n = std::ceil(length(edge) / (chart.texel_size * coarser));
+      return std::clamp(n, 2.0, static_cast<double>(largest_page - 2 * gutter));
+    };
+    const double n = side(chart.shape.edge_x) * side(chart.shape.edge_y);
     texels += n, largest = std::max(largest, n);
   }
   const double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
@@ -40,15 +45,17 @@ double needed_bytes(const Plan& plan, int supersample) {
 }
 
 void check_memory(const Plan& plan, const TextureOptions& options) {
-  const double needed = needed_bytes(plan, options.supersample);
   const auto most = static_cast<double>(options.most_bytes);
+  const double needed = needed_bytes(plan, options.supersample, 1);
   if (most == 0 || needed <= most) return;
-  const double fitting = plan.texel_size * std::sqrt(needed / most) * 1.05;
+  double coarser = 1;
+  while (needed_bytes(plan, options.supersample, coarser) > 0.95 * most && coarser < 1e6)
+    coarser *= 1.05;
   throw InputError(
       fmt::format("--texel-size: texels of {:.3g} m need {:.0f} MB of memory and {:.0f} MB may be "
                   "taken",
                   plan.texel_size, needed / 1e6, most / 1e6),
-      fmt::format("give --texel-size {:.3g}, or more by --max-memory", fitting));
+      fmt::format("give --texel-size {:.3g}, or more by --max-memory", plan.texel_size * coarser));
 }
 
 void cut(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,

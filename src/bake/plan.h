@@ -10,7 +10,7 @@ namespace penumbra::bake {
 
 /// What a person may choose of textures.
 struct TextureOptions {
-  std::optional<float> texel_size;     ///< metres; none: so that all receivers take 2²¹ texels
+  std::optional<float> texel_size;     ///< metres; none: so that all receivers take 2²² texels
   bool power_of_two = false;           ///< sides of atlas pages
   int supersample = 1;                 ///< points along each side of a texel, 1 to 8
   std::vector<std::string> receivers;  ///< objects by name; empty: those that say so

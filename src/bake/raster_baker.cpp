@@ -10,7 +10,10 @@ namespace {
 
 /// Texels of a tile at most: its sums fit a second-level cache, and charts have enough of them to
 /// keep all threads busy.
-constexpr int tile_width = 256, tile_height = 64;
+constexpr int tile_width = 512, tile_height = 128;
+
+/// The sides of `count` pieces of [0, size), about equal.
+int piece(int size, int count, int k) { return static_cast<int>(std::int64_t{size} * k / count); }
 
 /// Calls body(tile) for the tiles of a chart.
 template <class Body>
@@ -18,10 +21,10 @@ void for_tiles(const PlanarChart& chart, const Body& body) {
   const int columns = (chart.width + tile_width - 1) / tile_width;
   const int rows = (chart.height + tile_height - 1) / tile_height;
   const auto tile = [&](std::size_t k) {
-    const int column = static_cast<int>(k) % columns * tile_width;
-    const int row = static_cast<int>(k) / columns * tile_height;
-    body(Tile(chart, column, row, std::min(tile_width, chart.width - column),
-              std::min(tile_height, chart.height - row)));
+    const int i = static_cast<int>(k) % columns, j = static_cast<int>(k) / columns;
+    const int column = piece(chart.width, columns, i), row = piece(chart.height, rows, j);
+    body(Tile(chart, column, row, piece(chart.width, columns, i + 1) - column,
+              piece(chart.height, rows, j + 1) - row));
   };
   const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   if (count == 1)

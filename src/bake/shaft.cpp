@@ -11,54 +11,69 @@ Vec3 to_sample(const SampledLight& light, const LightSample& s, const Vec3& from
 
 }  // namespace
 
-Shaft::Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> samples,
-             const Occluders& occluders) {
-  float epsilon = 0, top = 0;
+Shaft::Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> points,
+             const Occluders& occluders)
+    : at_infinity(light.kind == EmitterKind::direction),
+      tile_middle((tile.corner(0, 0) + tile.corner(1, 1)) * 0.5f),
+      tile_half_x(tile.step_x * (0.5f * static_cast<float>(tile.width))),
+      tile_half_y(tile.step_y * (0.5f * static_cast<float>(tile.height))) {
   Vec3 corners[4];
   for (int i = 0; i < 4; ++i) {
     corners[i] = tile.corner(i & 1, i >> 1);
-    epsilon = std::max(epsilon, occluders.epsilon_at(corners[i]));
+    receiver_epsilon = std::max(receiver_epsilon, occluders.epsilon_at(corners[i]));
   }
-  float sample_epsilon = 0;
-  for (const LightSample& s : samples) {
+  float top = 0, sample_epsilon = 0;
+  for (const LightSample& s : points) {
     top = std::max(top, dot(tile.normal, to_sample(light, s, tile.origin)));
-    if (light.kind != EmitterKind::direction)
-      sample_epsilon = std::max(sample_epsilon, occluders.epsilon_at(s.position));
+    if (!at_infinity) sample_epsilon = std::max(sample_epsilon, occluders.epsilon_at(s.position));
   }
-  if (!(top > 0)) {
-    empty = true;
-    return;
-  }
-  receiver_epsilon = epsilon;
-  add(tile.normal, tile.origin, -epsilon);
-  const float slack = 4 * (epsilon + sample_epsilon);
-  add_side(tile, corners[0], tile.step_x, tile.step_y, light, samples, slack);
-  add_side(tile, corners[2], tile.step_x, -tile.step_y, light, samples, slack);
-  add_side(tile, corners[0], tile.step_y, tile.step_x, light, samples, slack);
-  add_side(tile, corners[1], tile.step_y, -tile.step_x, light, samples, slack);
-  if (light.kind != EmitterKind::direction)
-    add(-tile.normal, tile.origin + tile.normal * top, slack);
-  if (!light.flat || samples.empty()) return;
-  light_plane.normal = samples.front().normal;
-  light_plane.offset = -dot(light_plane.normal, samples.front().position);
+  empty = !(top > 0);
+  if (empty) return;
+  slack = 4 * (receiver_epsilon + sample_epsilon);
+  bound_samples(points);
+  add(tile.normal, tile.origin, -receiver_epsilon);
+  add_side(tile, corners[0], tile.step_x, tile.step_y, light, points);
+  add_side(tile, corners[2], tile.step_x, -tile.step_y, light, points);
+  add_side(tile, corners[0], tile.step_y, tile.step_x, light, points);
+  add_side(tile, corners[1], tile.step_y, -tile.step_x, light, points);
+  if (!at_infinity) add(-tile.normal, tile.origin + tile.normal * top, slack);
+  if (!light.flat) return;
+  light_plane.normal = points.front().normal;
+  light_plane.offset = -dot(light_plane.normal, points.front().position);
   // The error of the place on the light, the lift of rays off the receiver, and the error of what
   // they meet there: on_plane_epsilon().
-  light_epsilon = 2 * (epsilon + sample_epsilon);
+  light_epsilon = 2 * (receiver_epsilon + sample_epsilon);
 }
 
-void Shaft::add(const Vec3& normal, const Vec3& through, float slack) {
-  planes[count++] = {normal, slack - dot(normal, through)};
+void Shaft::bound_samples(std::span<const LightSample> points) {
+  for (const LightSample& s : points) {
+    samples.grow(s.position);
+    samples_middle += s.position;
+  }
+  if (!at_infinity) {
+    samples_middle = samples.center();
+    samples_reach = samples.diagonal() * 0.5f + slack;
+    return;
+  }
+  samples_middle = normalize(samples_middle);
+  for (const LightSample& s : points)
+    samples_reach = std::max(samples_reach, length(cross(samples_middle, s.position)));
+  samples_reach += 1e-6f;  // roundings of the cross product
+}
+
+void Shaft::add(const Vec3& normal, const Vec3& through, float tolerance) {
+  planes[count++] = {normal, tolerance - dot(normal, through)};
 }
 
 // A point at height h over the receiver and inside the side by s has slope s / h from it: the plane
 // through side and sample is m − (s / h) n, m being the direction inwards.
 void Shaft::add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
-                     const SampledLight& light, std::span<const LightSample> samples, float slack) {
+                     const SampledLight& light, std::span<const LightSample> points) {
   Vec3 m = cross(tile.normal, along);
   if (dot(m, inside) < 0) m = -m;
   m = normalize(m);
   float slope = INFINITY;
-  for (const LightSample& s : samples) {
+  for (const LightSample& s : points) {
     const Vec3 to = to_sample(light, s, through);
     const float h = dot(tile.normal, to);
     if (h > 0) slope = std::min(slope, dot(m, to) / h);

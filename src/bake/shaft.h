@@ -28,18 +28,25 @@ struct Shaft {
   Plane light_plane;
   float light_epsilon = 0;
   float receiver_epsilon = 0;  ///< what is nearer to the plane of the receiver lies on it, metres
-  bool empty = false;          ///< no sample is in front of the receiver
+  float slack = 0;             ///< error of coordinates at both ends, metres
+  bool at_infinity = false;    ///< the samples are directions
+  Bounds samples;              ///< round them; not at infinity
+  Vec3 samples_middle;         ///< of the box; at infinity their mean direction, unit
+  float samples_reach = 0;     ///< how far one may be from the middle; at infinity a sine
+  Vec3 tile_middle, tile_half_x, tile_half_y;
+  bool empty = false;  ///< no sample is in front of the receiver
 
-  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> samples,
+  Shaft(const Tile& tile, const SampledLight& light, std::span<const LightSample> points,
         const Occluders& occluders);
 
   /// False for a sphere that is known to be out.
   bool meets(const Vec3& center, float radius) const;
 
  private:
-  void add(const Vec3& normal, const Vec3& through, float slack);
+  void bound_samples(std::span<const LightSample> points);
+  void add(const Vec3& normal, const Vec3& through, float tolerance);
   void add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
-                const SampledLight& light, std::span<const LightSample> samples, float slack);
+                const SampledLight& light, std::span<const LightSample> points);
 };
 
 }  // namespace penumbra::bake

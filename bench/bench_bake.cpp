@@ -1,0 +1,124 @@
+// How fast radiance textures are baked on the processor: the workloads of Heckbert and Herf (1997).
+//   bench_bake [--quick] [--threads N] [--only rebake|light|table|scaling|samples]
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "bake/light_sampler.h"
+#include "bake/raster_baker.h"
+#include "bake_scene.h"
+#include "base/parallel.h"
+#include "race.h"
+
+namespace {
+
+using namespace penumbra;
+using namespace penumbra::bench;
+using namespace penumbra::bake;
+
+ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options) {
+  const auto& scales = options.instance_scale;
+  return {{c.base, c.base + c.edge_x, c.base + c.edge_x + c.edge_y, c.base + c.edge_y},
+          c.normal,
+          scales.empty() ? 1.0f : scales[c.instance]};
+}
+
+/// A bake from a scene's meshes to irradiance in memory, all structures built anew.
+class Bake {
+ public:
+  explicit Bake(BakeScene scene) : s_(std::move(scene)) {
+    for (const PlanarChart& c : s_.charts)
+      out_.emplace_back(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
+  }
+
+  void operator()() {
+    move();
+    const Occluders occluders(s_.scene);
+    const LightViews views(s_.scene);
+    const LightSampler sampler(views, s_.options);
+    const RasterBaker baker(occluders);
+    parallel_for(s_.charts.size(), [&](std::size_t i) {
+      std::vector<SampledLight> lights;
+      for (std::size_t l = 0; l < s_.scene.lights.size(); ++l)
+        lights.push_back(sampler.sample(l, patch_of(s_.charts[i], s_.options)));
+      baker.irradiance(s_.charts[i], lights, out_[i]);
+    });
+  }
+  const BakeScene& scene() const { return s_; }
+
+ private:
+  void move() {
+    const float step = (++turn_ % 64 < 32 ? 1.0f : -1.0f) * 0.01f;
+    for (Vec3& p : s_.scene.meshes[s_.movable].positions) p.x += step;
+  }
+
+  BakeScene s_;
+  std::vector<std::vector<Vec3>> out_;
+  int turn_ = 0;
+};
+
+void report(const std::string& what, Bake bake, int repeats) {
+  const BakeScene& s = bake.scene();
+  const std::string name = fmt::format("{}: {} triangles, {} receivers, {} texels", what,
+                                       s.triangle_count(), s.charts.size(), s.texel_count());
+  Race race;
+  race.add(name, [&] { bake(); });
+  race.run(repeats);
+  fmt::print("{}: {:.2f} ms, {:.0f} a second\n", name, 1e3 * race.time(0), 1 / race.time(0));
+}
+
+/// Exponent of time over triangles from the first scene to the last.
+void report_scaling(int repeats, int most) {
+  std::vector<Bake> bakes;
+  for (int polygons = 1000; polygons <= most; polygons *= 4)
+    bakes.emplace_back(boxes(polygons, 8, 200000));
+  Race race;
+  for (Bake& b : bakes) race.add("", [&b] { b(); });
+  race.run(repeats);
+  for (std::size_t i = 0; i < bakes.size(); ++i) {
+    const BakeScene& s = bakes[i].scene();
+    fmt::print("all receive: {} triangles, {} receivers, {} texels: {:.2f} ms\n",
+               s.triangle_count(), s.charts.size(), s.texel_count(), 1e3 * race.time(i));
+  }
+  const std::size_t last = bakes.size() - 1;
+  const double size = static_cast<double>(bakes[last].scene().triangle_count()) /
+                      static_cast<double>(bakes[0].scene().triangle_count());
+  fmt::print("exponent {:.2f}\n", std::log(race.ratio(last, 0)) / std::log(size));
+}
+
+void report_samples(int repeats) {
+  std::vector<Bake> bakes;
+  std::vector<int> counts;
+  for (int n = 8; n <= 512; n *= 4)
+    bakes.emplace_back(room(6142, n / 2, 200000)), counts.push_back(n);
+  Race race;
+  for (Bake& b : bakes) race.add("", [&b] { b(); });
+  race.run(repeats);
+  for (std::size_t i = 0; i < bakes.size(); ++i)
+    fmt::print("{} samples: {:.2f} ms, {:.1f} us a sample\n", counts[i], 1e3 * race.time(i),
+               1e6 * race.time(i) / counts[i]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool quick = false;
+  int threads = 0;
+  std::string only;
+  for (int i = 1; i < argc; ++i) {
+    if (!std::strcmp(argv[i], "--quick")) quick = true;
+    if (!std::strcmp(argv[i], "--only") && i + 1 < argc) only = argv[++i];
+    if (!std::strcmp(argv[i], "--threads") && i + 1 < argc) threads = std::atoi(argv[++i]);
+  }
+  const ThreadLimit limit(threads);
+  const int repeats = quick ? 1 : 5;
+  fmt::print("{} threads\n", thread_count());
+  const auto wanted = [&](const char* name) { return only.empty() || only == name; };
+  if (wanted("rebake")) report("rebake", Bake(room(749, 4, 200000)), repeats);
+  if (wanted("light")) report("fine light", Bake(room(6142, 16, 200000)), repeats);
+  if (wanted("table")) report("table", Bake(room_with_table(6142, 200000)), repeats);
+  if (wanted("scaling")) report_scaling(repeats, quick ? 4000 : 64000);
+  if (wanted("samples")) report_samples(repeats);
+}

@@ -1,0 +1,189 @@
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "image/exr.h"
+#include "image/png.h"
+#include "scene_fixture.h"
+
+namespace penumbra::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where scripts/get-viewer puts npm's packages.
+const std::string npm = PENUMBRA_SOURCE_DIR "/build/npm";
+
+class BakeCommandTest : public SceneTest {
+ protected:
+  BakeCommandTest() {
+    write_file(scene, R"({
+      "camera": {"position": [0.3, 1.6, 5.2], "look_at": [0, 0.9, 0]},
+      "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}, "red": {"diffuse": [0.7, 0.2, 0.1]}},
+      "objects": [
+        {"type": "quad", "name": "floor", "corner": [-3, 0, 3], "edge_u": [6, 0, 0],
+         "edge_v": [0, 0, -6], "material": "grey"},
+        {"type": "quad", "corner": [-3, 0, -3], "edge_u": [6, 0, 0], "edge_v": [0, 3, 0],
+         "material": "red"},
+        {"type": "box", "min": [0.5, 0, -1], "max": [1.5, 1.2, 0], "material": "red"},
+        {"type": "sphere", "center": [-0.8, 0.6, 0], "radius": 0.6, "material": "grey"},
+        {"type": "polygon", "vertices": [[-2.5, 0.3, 2], [-1, 0.3, 2], [-1, 0.3, 1.6],
+         [-2.1, 0.3, 1.6], [-2.1, 0.3, 0.8], [-2.5, 0.3, 0.8]], "material": "red",
+         "receives": false}],
+      "lights": [{"type": "rect", "corner": [-0.5, 2.8, 0.5], "edge_u": [0, 0, -1],
+                  "edge_v": [1, 0, 0], "radiance": [9, 9, 9]}],
+      "background": [0.02, 0.03, 0.05]})");
+  }
+
+  Outcome bake(std::vector<std::string> options, const std::string& output) {
+    std::vector<std::string> words{"bake", scene, "-o", output, "--light-samples", "64"};
+    words.insert(words.end(), options.begin(), options.end());
+    return penumbra(words);
+  }
+  Outcome render(const std::string& file, const std::string& output, const char* method) {
+    return penumbra({"render", file, "-o", output, "--shadows", method, "--size", "160x90", "-q"});
+  }
+};
+
+bool has_viewer() {
+  const fs::path top = fs::path(PENUMBRA_PROGRAM).parent_path().parent_path();
+  return fs::exists(top / "share/penumbra/viewer/three.module.js");
+}
+
+/// Part of the pixels that differ by more than 0.03 in linear light.
+double differing(const Image& a, const Image& b) {
+  std::size_t count = 0, pixels = a.data.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    bool differs = false;
+    for (std::size_t c = 0; c < 3; ++c)
+      differs |= std::abs(a.data[4 * i + c] - b.data[4 * i + c]) > 0.03f;
+    count += differs;
+  }
+  return static_cast<double>(count) / static_cast<double>(pixels);
+}
+
+TEST_F(BakeCommandTest, TheBakedFileLooksLikeTheScene) {
+  const std::string baked = folder / "baked.glb";
+  ASSERT_EQ(bake({"--texel-size", "0.03", "-q"}, baked).status, 0);
+  ASSERT_EQ(render(scene, folder / "a.png", "area").status, 0);
+  ASSERT_EQ(render(baked, folder / "b.png", "none").status, 0);
+  // The polygon's unshadowed light and the silhouette of the ball may differ.
+  EXPECT_LT(differing(read_png(folder / "a.png"), read_png(folder / "b.png")), 0.02);
+}
+
+TEST_F(BakeCommandTest, TellsWhatItDid) {
+  const Outcome outcome =
+      bake({"--texel-size", "0.1", "--stats", folder / "s.json"}, folder / "b.glb");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* line : {"load: ", "\nbake: ", " texels of 0.1 m, 1 texture\n",
+                           "became vertex colours", "MB of texels saved\n", "exposure: "})
+    EXPECT_THAT(outcome.err, ::testing::HasSubstr(line));
+  EXPECT_THAT(read_file(folder / "s.json"), ::testing::HasSubstr("\"vertex_charts\""));
+}
+
+TEST_F(BakeCommandTest, HdrIsLinearRadianceBeside) {
+  ASSERT_EQ(bake({"--texel-size", "0.1", "--hdr", "-q"}, folder / "b.glb").status, 0);
+  EXPECT_EQ(read_exr(folder / "b.exr").channels.count("G"), 1u);
+  EXPECT_EQ(folder.count(), 3);
+}
+
+TEST_F(BakeCommandTest, ALightmapHasItsExrAndJsonBeside) {
+  const Outcome outcome = bake({"--texel-size", "0.1", "--lightmap", "-q"}, folder / "b.glb");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(read_exr(folder / "b.exr").channels.count("R"), 1u);
+  const std::string json = read_file(folder / "b.json");
+  for (const char* text : {"\"exr\" : \"b.exr\"", "\"glb\" : \"b.glb\"", "\"mesh\" : \"floor\"",
+                           "\"texCoord\" : 1", "W/m²"})
+    EXPECT_THAT(json, ::testing::HasSubstr(text));
+}
+
+TEST_F(BakeCommandTest, TheKhronosValidatorFindsNoError) {
+  if (std::system("node --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no node";
+  if (!fs::exists(npm + "/node_modules/gltf-validator"))
+    GTEST_SKIP() << "gltf-validator is not there; run scripts/get-viewer";
+  ASSERT_EQ(bake({"--texel-size", "0.1", "-q"}, folder / "r.glb").status, 0);
+  ASSERT_EQ(bake({"--texel-size", "0.1", "--lightmap", "-q"}, folder / "l.glb").status, 0);
+  const std::string script = PENUMBRA_SOURCE_DIR "/tests/app/validate.js";
+  for (const char* name : {"r.glb", "l.glb"})
+    EXPECT_EQ(
+        std::system(
+            ("NODE_PATH=" + npm + "/node_modules node " + script + " " + folder / name).c_str()),
+        0)
+        << name;
+}
+
+TEST_F(BakeCommandTest, ThePreviewHasAllThatItNeeds) {
+  if (!has_viewer()) GTEST_SKIP() << "three.js is not there; run scripts/get-viewer";
+  ASSERT_EQ(
+      bake({"--texel-size", "0.03", "--preview", folder / "p.html", "-q"}, folder / "b.glb").status,
+      0);
+  ASSERT_EQ(std::system(("timeout 60 chromium --headless --no-sandbox --use-gl=angle "
+                         "--use-angle=swiftshader --enable-unsafe-swiftshader "
+                         "--window-size=960,540 --virtual-time-budget=20000 --user-data-dir=" +
+                         folder / "profile" + " --screenshot=" + folder / "shot.png" + " file://" +
+                         folder / "p.html" + " > /dev/null 2>&1")
+                            .c_str()),
+            0);
+  ASSERT_EQ(
+      penumbra({"render", folder / "b.glb", "-o", folder / "r.png", "--shadows", "none", "-q"})
+          .status,
+      0);
+  // The words on the page, and edges, which are smoothed differently.
+  EXPECT_LT(differing(read_png(folder / "shot.png"), read_png(folder / "r.png")), 0.03);
+}
+
+TEST_F(BakeCommandTest, APreviewWithoutViewerIsRefusedBeforeTheWork) {
+  ::setenv("PENUMBRA_VIEWER", (folder / "nowhere").c_str(), 1);
+  const Outcome outcome = bake({"--preview", folder / "p.html"}, folder / "b.glb");
+  ::unsetenv("PENUMBRA_VIEWER");
+  expect_refused(outcome, 2,
+                 folder / "nowhere" +
+                     ": the viewer of --preview is not installed: there is no three.module.js; run "
+                     "scripts/get-viewer, or let PENUMBRA_VIEWER name its folder");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(BakeCommandTest, WrongCallsAreRefused) {
+  expect_refused(penumbra({"bake", scene}), 2, "no output is named; add -o OUT.glb");
+  expect_refused(bake({}, folder / "b.gltf"), 2,
+                 folder / "b.gltf" + ": a bake is written as binary glTF; let it end in .glb");
+  expect_refused(bake({"--device", "gl"}, folder / "b.glb"), 2,
+                 "--device: bake has no gl in this version; use auto, cpu or rays");
+  expect_refused(bake({"--lightmap", "--hdr"}, folder / "b.glb"), 2,
+                 "--hdr: a lightmap always has its EXR beside it; leave --hdr out");
+  const Outcome tight =
+      bake({"--texel-size", "0.001", "--max-memory", "40", "-q"}, folder / "b.glb");
+  EXPECT_EQ(tight.status, 2);
+  EXPECT_THAT(tight.err, ::testing::MatchesRegex(
+                             "penumbra: --texel-size: texels of 0.001 m need [0-9]+ MB of memory "
+                             "and 40 MB may be taken; give --texel-size [0-9.]+, or more by "
+                             "--max-memory\n"));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(BakeCommandTest, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  fs::create_directory(folder / "b.glb");
+  const Outcome outcome = bake({}, folder / "b.glb");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, ::testing::Not(::testing::HasSubstr("bake:")));
+}
+
+TEST_F(BakeCommandTest, CtrlCStopsWithinASecondAndLeavesNothing) {
+  Running running(PENUMBRA_PROGRAM, {"bake", scene, "-o", folder / "b.glb", "--texel-size", "0.004",
+                                     "--light-samples", "4096", "--max-memory", "4000"});
+  ::usleep(500'000);
+  const auto begin = std::chrono::steady_clock::now();
+  ::kill(running.id(), SIGINT);
+  const Outcome outcome = running.outcome();
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_LT(waited.count(), 1.5);
+  EXPECT_EQ(folder.count(), 1);
+}
+
+}  // namespace
+}  // namespace penumbra::test

@@ -1,0 +1,82 @@
+// glTF: what baked files say, unlit surfaces, vertex colours and receivers.
+#include <gmock/gmock.h>
+
+#include "scene/finish.h"
+#include "scene/gltf_file.h"
+
+namespace penumbra {
+namespace {
+
+using test::read;
+using test::triangle_with;
+
+const std::string unlit =
+    R"("extensionsUsed":["KHR_materials_unlit"],"materials":[{"emissiveFactor":[1,1,1],)"
+    R"("extensions":{"KHR_materials_unlit":{}}}])";
+
+Scene unlit_scene() { return read(triangle_with(unlit, R"(,"material":0)")); }
+
+TEST(GltfBaked, UnlitSurfacesShowTheirBaseColour) {
+  const Scene scene = unlit_scene();
+  EXPECT_EQ(scene.materials.at(0).unlit, 1);
+  EXPECT_EQ(scene.materials.at(0).emission, Vec3{});
+  EXPECT_THAT(scene.report.warnings, testing::IsEmpty());
+  EXPECT_FALSE(scene.exposure_ev);
+}
+
+TEST(GltfBaked, NoLightIsAddedToWhatNeedsNone) {
+  Scene scene = unlit_scene();
+  finish_scene(scene, "a.gltf");
+  add_missing_camera_and_light(scene);
+  EXPECT_EQ(scene.cameras.size(), 1u);
+  EXPECT_TRUE(scene.lights.empty());
+}
+
+/// With what `penumbra bake` writes into asset.extras.
+std::string with_display(const std::string& members) {
+  std::string text = triangle_with(unlit, R"(,"material":0)");
+  const std::string version = R"("version":"2.0")";
+  return text.replace(text.find(version), version.size(),
+                      version + R"(,"extras":{"penumbra":{)" + members + "}}");
+}
+
+TEST(GltfBaked, TheExposureIsTakenBackAndKept) {
+  const Scene scene = read(with_display(R"("exposure_ev":-2,"background":[0.5,1,2])"));
+  EXPECT_EQ(scene.materials.at(0).unlit, 4);
+  EXPECT_EQ(scene.exposure_ev, -2.0f);
+  EXPECT_EQ(scene.background, Vec3(0.5f, 1, 2));
+}
+
+TEST(GltfBaked, NonsenseInExtrasIsLeftOut) {
+  for (const char* text : {R"("exposure_ev":1e9,"background":[1,2])",
+                           R"("exposure_ev":"x","background":[-1,0,0])", R"("exposure_ev":{})"}) {
+    const Scene scene = read(with_display(text));
+    EXPECT_EQ(scene.materials.at(0).unlit, 1);
+    EXPECT_FALSE(scene.exposure_ev);
+    EXPECT_EQ(scene.background, Vec3{});
+  }
+}
+
+TEST(GltfBaked, ReadsVertexColours) {
+  test::GltfFile file;
+  const int positions = file.positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const int colors = file.accessor(
+      file.view(std::vector<std::uint16_t>{65535, 0, 0, 65535, 0, 65535, 0, 65535, 0, 0, 13107, 0}),
+      5123, "VEC4", 3, R"(,"normalized":true)");
+  const Scene scene =
+      read(file.text(test::one_node(R"({"attributes":{"POSITION":)" + std::to_string(positions) +
+                                    R"(,"COLOR_0":)" + std::to_string(colors) + "}}")));
+  EXPECT_THAT(scene.meshes.at(0).colors,
+              testing::ElementsAre(Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 0.2f)));
+}
+
+TEST(GltfBaked, NodesSayWhetherTheyReceive) {
+  std::string text = triangle_with("");
+  const std::string node = R"({"mesh":0)";
+  EXPECT_TRUE(read(text).objects.at(0).receives);
+  text.replace(text.find(node), node.size(), node + R"(,"extras":{"receives":false})");
+  EXPECT_FALSE(read(text).objects.at(0).receives);
+}
+
+}  // namespace
+}  // namespace penumbra
