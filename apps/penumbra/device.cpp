@@ -14,6 +14,10 @@ bool given(const Arguments& a, const char* option) {
 }  // namespace
 
 bool draws_with_gl(const Arguments& a, const Scene& scene) {
+  const bool by_gl = a.device == Device::gl || scene.glsl;
+  if (by_gl && a.render.shadows.kind == ShadowKind::heckbert_herf)
+    throw InputError("--shadows: OpenGL does not draw heckbert-herf pictures",
+                     scene.glsl ? "choose an sdf-* method, hard or area" : "leave out --device gl");
   if (a.device == Device::gl) return true;
   if (!scene.glsl) return false;
   if (a.device == Device::cpu)

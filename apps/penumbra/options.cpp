@@ -17,22 +17,19 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 // In the order of ShadowKind.
-constexpr std::array<std::string_view, 7> kShadows{
-    "none", "hard", "area", "parker", "sdf-classic", "sdf-improved", "sdf-inner"};
-constexpr std::array<std::string_view, 1> kLaterShadows{"heckbert-herf"};
+constexpr std::array<std::string_view, 8> kShadows{
+    "none", "hard", "area", "parker", "heckbert-herf", "sdf-classic", "sdf-improved", "sdf-inner"};
 constexpr std::array<std::string_view, 4> kVariants{"published", "blog", "abs", "march"};
 constexpr std::array<std::string_view, 3> kEntries{"auto", "map", "mainImage"};
 constexpr std::array<std::string_view, 3> kProfiles{"cubic", "sine", "linear"};
 constexpr std::array<std::string_view, 3> kComposites{"min", "multiply", "add"};
 constexpr std::array<std::string_view, 5> kAovs{"visibility", "depth", "normal", "error", "steps"};
 constexpr std::array<std::string_view, 3> kDevices{"auto", "cpu", "gl"};
-constexpr std::array<std::string_view, 7> kPictureOptions{
-    "--size", "--camera", "--spp", "--exposure", "--mirror-depth", "--aov", "--entry"};
+constexpr std::array<std::string_view, 8> kPictureOptions{"--size",     "--camera",       "--spp",
+                                                          "--exposure", "--mirror-depth", "--aov",
+                                                          "--entry",    "--texel-size"};
 
 ShadowKind read_shadows(const std::string& text) {
-  if (std::find(kLaterShadows.begin(), kLaterShadows.end(), text) != kLaterShadows.end())
-    throw InputError(fmt::format("--shadows: {} is not in this version", text),
-                     "use " + listed(kShadows));
   return static_cast<ShadowKind>(parse_choice("--shadows", text, kShadows));
 }
 
@@ -100,7 +97,7 @@ void want_aov(const std::string& name, RenderOptions& options) {
 
 Device read_device(const std::string& text) {
   if (text == "rays")
-    throw InputError("--device: rays is not in this version", "use " + listed(kDevices));
+    throw InputError("--device: rays is a device of bake alone", "use " + listed(kDevices));
   return static_cast<Device>(parse_choice("--device", text, kDevices));
 }
 
@@ -159,13 +156,14 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
   };
   add(
       "--shadows", "METHOD", "parker", [&](auto& t) { shadows.kind = read_shadows(t); },
-      "none, hard, area (the reference), parker, sdf-classic, sdf-improved or sdf-inner");
+      "none, hard, area (the reference), parker, heckbert-herf, sdf-classic, sdf-improved or "
+      "sdf-inner");
   add(
-      "--light-samples", "N", "64",
+      "--light-samples", "N", "64, by solid angle",
       [&](auto& t) {
         shadows.light_samples = static_cast<int>(parse_integer("--light-samples", t, 1, 1 << 20));
       },
-      "area: points on each light");
+      "area, heckbert-herf: points on each light");
   add(
       "--error", "X", "", [&](auto& t) { shadows.error = parse_number("--error", t, 1e-4, 1); },
       "area: adaptive, until the standard error of the visible fraction is below X");
@@ -185,6 +183,10 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
       "--tolerance", "X", "0.02",
       [&](auto& t) { shadows.tolerance = parse_number("--tolerance", t, 0, 1); },
       "parker: allowed change of the visible fraction, 0 = exact");
+  add(
+      "--texel-size", "METRES", "2 million texels",
+      [&](auto& t) { a.bake.textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
+      "heckbert-herf: side of a texel of what is baked first");
   add_field_options(command, a);
 }
 

@@ -22,12 +22,15 @@ std::string_view idle_with(const std::string& option, const Arguments& a) {
   constexpr std::string_view method = "with this method";
   if (a.command == Command::probe && is_picture_option(option)) return "on probe";
   const ShadowOptions& shadows = a.render.shadows;
+  const bool baked = shadows.kind == ShadowKind::heckbert_herf;
   const bool of_area = option == "--light-samples" || option == "--error";
   const bool of_parker =
       option == "--profile" || option == "--composite" || option == "--tolerance";
   const bool of_fields = option == "--mint" || option == "--steps" || option == "--k";
   if (of_fields && !shadows.marches_field()) return method;
   if (option == "--k" && shadows.kind == ShadowKind::hard) return method;
+  if (option == "--light-samples" && baked) return {};
+  if (option == "--texel-size" && !baked) return method;
   if (of_area && shadows.kind != ShadowKind::area) return method;
   if (of_parker && shadows.kind != ShadowKind::parker) return method;
   if (option == "--light-samples" && shadows.error) return "beside --error";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "baked_light.h"
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "commands.h"
@@ -48,7 +49,11 @@ Probed probe_on_cpu(const Scene& scene, const Arguments& arguments,
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
   const double build_seconds = build.seconds();
   for (const std::string& text : world->warnings()) console.warn(text);
-  Probed result = probe(Shadows(*world, arguments.render.shadows), points, console);
+  Probed result;
+  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf)
+    result.fractions = baked_fractions(*world, arguments, points, console);
+  else
+    result = probe(Shadows(*world, arguments.render.shadows), points, console);
   warn_of_unfinished(result.counts, console);
   result.build_seconds = build_seconds;
   result.structure_bytes = world->memory_bytes();

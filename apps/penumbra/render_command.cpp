@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "baked_light.h"
 #include "base/error.h"
 #include "commands.h"
 #include "device.h"
@@ -73,6 +74,13 @@ RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::siz
     return render_gl(scene, arguments.render, arguments.entry, console);
   }
   const Stopwatch build;
+  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf) {
+    const BakedLight baked(scene, arguments, console);
+    phases.build = build.seconds();
+    bytes = baked.world().memory_bytes();
+    arguments.render.known = &baked.light();
+    return render(baked.world(), arguments.render, console);
+  }
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
   phases.build = build.seconds();
   bytes = world->memory_bytes();

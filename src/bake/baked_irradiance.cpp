@@ -104,7 +104,7 @@ void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t lig
   if (p.raster) {
     sampled.emission = Vec3(1);
     std::vector<Vec3> all(out.size());
-    p.raster->irradiance(chart, {sampled}, all);
+    p.raster->irradiance(chart, std::span(&sampled, 1), all);
     std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
     return;
   }

@@ -66,10 +66,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Misuse{{"--shadows", "prker"},
                "--shadows: 'prker' is unknown; did you mean parker? There are none, hard, area, "
-               "parker, sdf-classic, sdf-improved or sdf-inner"},
-        Misuse{{"--shadows", "heckbert-herf"},
-               "--shadows: heckbert-herf is not in this version; use none, hard, area, parker, "
-               "sdf-classic, sdf-improved or sdf-inner"},
+               "parker, heckbert-herf, sdf-classic, sdf-improved or sdf-inner"},
+        Misuse{{"--shadows", "heckbert-herf", "--device", "gl"},
+               "--shadows: OpenGL does not draw heckbert-herf pictures; leave out --device gl"},
+        Misuse{{"--shadows", "heckbert-herf", "--texel-size", "0"},
+               "--texel-size: 0 is out of range; give a number from 1e-06 to 1e+06"},
         Misuse{{"--variant", "blog"},
                "--variant: blog is a variant of sdf-classic; add --shadows sdf-classic"},
         Misuse{{"--shadows", "sdf-classic", "--variant", "abs"},
@@ -81,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
             "--profile: 'qubic' is unknown; did you mean cubic? There are cubic, sine or linear"},
         Misuse{{"--composite", "max"},
                "--composite: 'max' is unknown; did you mean min? There are min, multiply or add"},
-        Misuse{{"--device", "rays"}, "--device: rays is not in this version; use auto, cpu or gl"},
+        Misuse{{"--device", "rays"}, "--device: rays is a device of bake alone; use auto, cpu or gl"},
         Misuse{{"--shadow", "hard"}, "--shadow is no option of render; did you mean --shadows?"},
         Misuse{{"--mint=0"}, "--mint: 0 is out of range; give a number from 1e-06 to 1e+06"},
         Misuse{{"--k", "-1"}, "--k: -1 is out of range; give a number from 1e-06 to 1e+06"},

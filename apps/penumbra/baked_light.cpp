@@ -1,0 +1,60 @@
+#include "baked_light.h"
+
+#include <algorithm>
+
+#include "bake/triangulate.h"
+#include "base/parallel.h"
+#include "memory.h"
+#include "prepare.h"
+
+namespace penumbra::app {
+namespace {
+
+bake::BakeOptions options_of(const Arguments& arguments, bake::BakeDevice device) {
+  bake::BakeOptions options;
+  options.device = device;
+  options.light_samples = arguments.render.shadows.light_samples;
+  options.seed = arguments.render.seed;
+  options.conversions = arguments.conversion;
+  return options;
+}
+
+bake::TextureOptions textures_of(const Arguments& arguments) {
+  bake::TextureOptions textures = arguments.bake.textures;
+  if (textures.most_bytes == 0) textures.most_bytes = available_memory() / 2;
+  return textures;
+}
+
+}  // namespace
+
+BakedLight::BakedLight(const Scene& scene, const Arguments& arguments, Console& console)
+    : scene_(bake::triangulated(scene, arguments.conversion)),
+      plan_(bake::make_plan(scene_, textures_of(arguments))),
+      world_(scene_, {.cone_tree = false}) {
+  const bake::BakedIrradiance irradiance(world_,
+                                         options_of(arguments, bake::BakeDevice::automatic));
+  bake::LightTextureOptions options;
+  options.visible_fractions = arguments.render.want_visibility;
+  light_ = std::make_unique<bake::LightTextures>(scene_, plan_, irradiance, options, console);
+}
+
+std::vector<float> baked_fractions(const World& world, const Arguments& arguments,
+                                   const std::vector<ProbePoint>& points, Console& console) {
+  const bake::BakedIrradiance irradiance(world, options_of(arguments, bake::BakeDevice::rays));
+  std::vector<float> fractions(points.size());
+  constexpr std::size_t piece = 64;
+  console.start("probe", points.size());
+  parallel_for((points.size() + piece - 1) / piece, [&](std::size_t k) {
+    const std::size_t last = std::min(points.size(), (k + 1) * piece);
+    for (std::size_t i = k * piece; i < last; ++i) {
+      const Receiver& r = points[i].receiver;
+      const bake::SurfacePoint point{r.position, r.normal, r.normal, PrimitiveId::none, 0};
+      irradiance.visible_fractions({&point, 1}, points[i].light, {&fractions[i], 1});
+    }
+    console.advance(last - k * piece);
+  });
+  console.finish();
+  return fractions;
+}
+
+}  // namespace penumbra::app
