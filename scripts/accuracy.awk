@@ -83,6 +83,17 @@ function settings(table, head, prefix, list,   i, m, s, name) {
   close(out)
 }
 
+function samples(table, prefix, list,   i, m, s, name) {
+  open_table(table, "| `--light-samples` | RMSE in penumbrae | RMSE, all points | largest error |")
+  m = split(list, s, " ")
+  for (i = 1; i <= m; ++i) {
+    name = prefix s[i]
+    row("| " s[i] " | " three(rmse(name, "all scenes", 2)) " | " three(rmse(name, "all scenes", 1)) \
+      " | " three(worst[name, "all scenes", 1]) " |")
+  }
+  close(out)
+}
+
 function profile_row(label, name) {
   row("| " label " | " three(rmse(name, "all scenes", 2)) " | " three(rmse(name, "all scenes", 1)) \
     " | " signed(bias(name, "all scenes", 1)) " |")
@@ -147,6 +158,8 @@ function methods() {
   method_row("hard", "one ray to the light's centre: seen or not", "1 ray", "hard")
   method_row("parker", "the shadow of a soft-edged object under a point light: smooth, no noise", \
     "1 cone", "parker")
+  method_row("heckbert-herf", "the average of hard shadow images from points of the light, as" \
+    " textures", "1 texel of each image", "heckbert-herf")
   method_row("sdf-classic", "marches the distance field; the least h / (w t) on the way", \
     per_point(steps, "sdf-classic") " steps", "sdf-classic")
   method_row("sdf-improved", "the same between the samples too", \
@@ -164,8 +177,8 @@ function methods() {
 END {
   pi = atan2(0, -1)
   scenes[scene_count + 1] = "all scenes"
-  columns = "`none` | `hard` | `parker` | `sdf-classic` | `sdf-improved` | `sdf-inner` | `area`, 16 points | 64 | 256 | 4096 | `--error 0.01`"
-  list = "none hard parker sdf-classic sdf-improved sdf-inner area-16 area-64 area-256 area-4096 error-0.01"
+  columns = "`none` | `hard` | `parker` | `heckbert-herf` | `sdf-classic` | `sdf-improved` | `sdf-inner` | `area`, 16 points | 64 | 256 | 4096 | `--error 0.01`"
+  list = "none hard parker heckbert-herf sdf-classic sdf-improved sdf-inner area-16 area-64 area-256 area-4096 error-0.01"
   by_group("rmse-penumbra", "scene", columns, list, scenes, scene_count + 1, 2, "rmse")
   by_group("rmse-all", "scene", columns, list, scenes, scene_count + 1, 1, "rmse")
   by_group("bias", "scene", columns, list, scenes, scene_count + 1, 1, "bias")
@@ -175,6 +188,8 @@ END {
   ++scene_count
   one_method("hard", "hard")
   one_method("parker", "parker")
+  one_method("heckbert-herf", "heckbert-herf")
+  samples("heckbert-herf-points", "herf-", "4 16 64 256 1024")
   one_method("sdf-classic", "sdf-classic")
   one_method("sdf-classic-blog", "blog")
   one_method("sdf-improved", "sdf-improved")

@@ -1,7 +1,7 @@
 #include "bake/baked_irradiance.h"
 
 #include <algorithm>
-
+#include "bake/cost.h"
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
@@ -38,6 +38,18 @@ void in_pieces(std::size_t count, const Body& body) {
     parallel_for(pieces, piece);
 }
 
+/// Calls body(texel, receiver) for all texels of a chart.
+template <class Body>
+void for_texels(const PlanarChart& chart, const Body& body) {
+  const auto width = static_cast<std::size_t>(chart.width);
+  in_pieces(width * static_cast<std::size_t>(chart.height), [&](std::size_t first,
+                                                                std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      body(i, Receiver{chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
+                       chart.normal});
+  });
+}
+
 }  // namespace
 
 struct BakedIrradiance::Parts {
@@ -46,6 +58,28 @@ struct BakedIrradiance::Parts {
     if (options.device == BakeDevice::rays) return;
     occluders = std::make_unique<Occluders>(w.scene(), options.conversions);
     raster = std::make_unique<RasterBaker>(*occluders);
+  }
+
+  bool rasterises(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
+    if (options.device != BakeDevice::automatic) return raster != nullptr;
+    const Tile whole(chart, 0, 0, chart.width, chart.height);
+    float raster_seconds = 0, ray_seconds = 0;
+    for (const SampledLight& light : sampled) {
+      raster_seconds += raster_cost(*occluders, whole, light).seconds;
+      ray_seconds += ray_cost(whole, light);
+    }
+    return raster_seconds <= ray_seconds;
+  }
+
+  /// Calls body(number, receiver, patch) for all points.
+  template <class Body>
+  void for_points(std::span<const SurfacePoint> points, const Body& body) const {
+    in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Receiver r = rays.receiver(points[i]);
+        body(i, r, patch_of(r, instance_scale(options, points[i].instance)));
+      }
+    });
   }
 
   const World& world;
@@ -69,30 +103,21 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
-  if (p.raster) return p.raster->irradiance(chart, lights, out);
-  const auto width = static_cast<std::size_t>(chart.width);
-  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Receiver texel{
-          chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)), chart.normal};
-      out[i] = {};
-      for (const SampledLight& light : lights)
-        out[i] += light.emission * p.rays.light(texel, light).irradiance;
-    }
+  if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
+  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
+    out[i] = {};
+    for (const SampledLight& light : lights)
+      out[i] += light.emission * p.rays.light(texel, light).irradiance;
   });
 }
 
 void BakedIrradiance::of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const {
   const Parts& p = *parts_;
-  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Receiver r = p.rays.receiver(points[i]);
-      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
-      out[i] = {};
-      for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l) {
-        const SampledLight light = p.sampler.sample(l, patch);
-        out[i] += light.emission * p.rays.light(r, light).irradiance;
-      }
+  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+    out[i] = {};
+    for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l) {
+      const SampledLight light = p.sampler.sample(l, patch);
+      out[i] += light.emission * p.rays.light(r, light).irradiance;
     }
   });
 }
@@ -101,34 +126,23 @@ void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t lig
                                        std::span<float> out) const {
   const Parts& p = *parts_;
   SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
-  if (p.raster) {
+  if (p.rasterises(chart, std::span(&sampled, 1))) {
     sampled.emission = Vec3(1);
     std::vector<Vec3> all(out.size());
     p.raster->irradiance(chart, std::span(&sampled, 1), all);
     std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
     return;
   }
-  const auto width = static_cast<std::size_t>(chart.width);
-  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      out[i] =
-          p.rays
-              .light({chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
-                      chart.normal},
-                     sampled)
-              .irradiance;
+  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
+    out[i] = p.rays.light(texel, sampled).irradiance;
   });
 }
 
 void BakedIrradiance::unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
                                        std::span<float> out) const {
   const Parts& p = *parts_;
-  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Receiver r = p.rays.receiver(points[i]);
-      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
-      out[i] = p.rays.light(r, p.sampler.sample(light, patch)).irradiance;
-    }
+  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+    out[i] = p.rays.light(r, p.sampler.sample(light, patch)).irradiance;
   });
 }
 
@@ -136,28 +150,18 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
-  if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
-  const auto width = static_cast<std::size_t>(chart.width);
-  in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      out[i] =
-          p.rays
-              .light({chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
-                      chart.normal},
-                     sampled)
-              .fraction;
+  if (p.rasterises(chart, std::span(&sampled, 1)))
+    return p.raster->visible_fractions(chart, sampled, out);
+  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
+    out[i] = p.rays.light(texel, sampled).fraction;
   });
 }
 
 void BakedIrradiance::visible_fractions(std::span<const SurfacePoint> points, std::size_t light,
                                         std::span<float> out) const {
   const Parts& p = *parts_;
-  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const Receiver r = p.rays.receiver(points[i]);
-      const ReceiverPatch patch = patch_of(r, instance_scale(p.options, points[i].instance));
-      out[i] = p.rays.light(r, p.sampler.sample(light, patch, true)).fraction;
-    }
+  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+    out[i] = p.rays.light(r, p.sampler.sample(light, patch, true)).fraction;
   });
 }
 
