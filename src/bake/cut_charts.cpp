@@ -88,15 +88,16 @@ class Cutter {
     shape.base = p.base, shape.edge_x = p.edge_x, shape.edge_y = p.edge_y;
     chart.half = p.half;
     chart.texel_size = texel_size(triangles);
-    shape.width = texels(length(p.edge_x), chart.texel_size);
-    shape.height = texels(length(p.edge_y), chart.texel_size);
+    shape.width = texels(length(p.edge_x), chart.texel_size, flat);
+    shape.height = texels(length(p.edge_y), chart.texel_size, flat);
     return chart;
   }
 
-  int texels(float metres, float size) {
+  /// At least two along a side, four where the surface turns away within it.
+  int texels(float metres, float size, bool flat) {
     const float count = std::ceil(metres / size);
     if (count > static_cast<float>(options_.most_texels)) remark(remarks_.coarse);
-    return std::clamp(static_cast<int>(std::min(count, 1e6f)), 2, options_.most_texels);
+    return std::clamp(static_cast<int>(std::min(count, 1e6f)), flat ? 2 : 4, options_.most_texels);
   }
 
   /// That of the base-colour texture where this is finer, as far as allowed.
