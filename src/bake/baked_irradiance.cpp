@@ -42,11 +42,13 @@ void in_pieces(std::size_t count, const Body& body) {
 template <class Body>
 void for_texels(const PlanarChart& chart, const Body& body) {
   const auto width = static_cast<std::size_t>(chart.width);
-  in_pieces(width * static_cast<std::size_t>(chart.height), [&](std::size_t first,
-                                                                std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      body(i, Receiver{chart.texel(static_cast<float>(i % width), static_cast<float>(i / width)),
-                       chart.normal});
+  const auto count = width * static_cast<std::size_t>(chart.height);
+  in_pieces(count, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const std::size_t row = i / width;
+      const Vec3 p = chart.texel(static_cast<float>(i - row * width), static_cast<float>(row));
+      body(i, Receiver{p, chart.normal});
+    }
   });
 }
 

@@ -1,6 +1,7 @@
 #include "bake/cut_charts.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "bake/coplanar.h"
 #include "bake/parallelogram.h"
@@ -13,6 +14,10 @@ namespace {
 // Facets of less than 8 × 8 texels that have neighbours at a small angle are parts of something.
 constexpr float facet_texels = 64;
 constexpr float facet_cosine = 0.5f;
+// Texels beyond the border of a curved chart that bilinear filtering reads, and how steeply the
+// surface may be seen there.
+constexpr float apron_texels = 1.5f;
+constexpr float apron_cosine = 0.1f;
 
 class Cutter {
  public:
@@ -68,6 +73,7 @@ class Cutter {
                       [&](std::uint32_t t) { return std::ranges::binary_search(over, t); });
         chart = fitted(triangles, front, flat);
       }
+      if (!flat) chart.apron = apron_of(chart, front);
       charts_.push_back(std::move(chart));
       triangles = std::move(over);
     }
@@ -89,9 +95,46 @@ class Cutter {
     chart.half = p.half;
     chart.texel_size = texel_size(triangles);
     if (!flat) chart.texel_size = std::min(chart.texel_size, curved_texel_size(triangles));
+    if (!flat) widen(chart);
     shape.width = texels(length(p.edge_x), chart.texel_size, flat);
     shape.height = texels(length(p.edge_y), chart.texel_size, flat);
     return chart;
+  }
+
+  /// By the apron, on all sides.
+  static void widen(CutChart& chart) {
+    PlanarChart& shape = chart.shape;
+    const Vec3 x = normalize(shape.edge_x) * (apron_texels * chart.texel_size);
+    const Vec3 y = normalize(shape.edge_y) * (apron_texels * chart.texel_size);
+    shape.base = shape.base - x - y;
+    shape.edge_x += x * 2.0f, shape.edge_y += y * 2.0f;
+    chart.half = false;
+  }
+
+  /// Triangles that the surface reaches smoothly within the apron's width, measured from middle to
+  /// middle, and the width of a triangle more.
+  TriangleIds apron_of(const CutChart& chart, const Vec3& front) const {
+    const float reach = 2 * apron_texels * chart.texel_size;
+    TriangleIds found = chart.shape.triangles;
+    std::unordered_map<std::uint32_t, float> way;
+    for (const std::uint32_t t : found) way[t] = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const std::uint32_t from = found[i];
+      for (const std::uint32_t t : adjacency_.neighbours(from)) {
+        if (way.contains(t) || dot(mesh_.normal(t), front) < apron_cosine ||
+            dot(mesh_.normal(t), mesh_.normal(from)) < facet_cosine)
+          continue;
+        const bool is_first = i < chart.shape.triangles.size();
+        way[t] = is_first ? 0 : way[from] + length(middle(t) - middle(from));
+        if (way[t] <= reach) found.push_back(t);
+      }
+    }
+    found.erase(found.begin(),
+                found.begin() + static_cast<std::ptrdiff_t>(chart.shape.triangles.size()));
+    return found;
+  }
+  Vec3 middle(std::uint32_t t) const {
+    return (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3.0f;
   }
 
   /// At least two along a side, four where the surface turns away within it.

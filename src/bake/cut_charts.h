@@ -11,9 +11,12 @@ namespace penumbra::bake {
 
 /// A chart as it is cut from an instance.
 struct CutChart {
-  PlanarChart shape;     ///< of a curved chart: its triangles are seen along the normal
-  bool flat = true;      ///< all triangles lie in the parallelogram's plane and are shaded flat
-  bool half = false;     ///< the triangle below the diagonal from edge_x to edge_y
+  PlanarChart shape;  ///< of a curved chart: its triangles are seen along the normal
+  bool flat = true;   ///< all triangles lie in the parallelogram's plane and are shaded flat
+  bool half = false;  ///< the triangle below the diagonal from edge_x to edge_y
+  /// Of a curved chart: the triangles round it where the surface goes on. Texels there show these,
+  /// so that the chart's light goes on beyond its border and meets that of its neighbours.
+  std::vector<std::uint32_t> apron;
   float texel_size = 0;  ///< metres, before rounding to whole texels
 };
 

@@ -151,7 +151,7 @@ LitChart light_chart(const CutChart& chart, const WorldMesh& mesh, const Irradia
   Samples s;
   s.grid = chart.shape;
   s.grid.width *= options.supersample, s.grid.height *= options.supersample;
-  s.places = map_texels(s.grid, mesh, reach * static_cast<float>(options.supersample));
+  s.places = map_texels(s.grid, mesh, reach * static_cast<float>(options.supersample), chart.apron);
   find_irradiance(chart, mesh, irradiance, s);
   const bool masked = surface.is_masked(mesh);
   compose(chart, mesh, surface, masked, options, s);

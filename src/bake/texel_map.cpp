@@ -115,7 +115,8 @@ Vec2 ChartFrame::texels(const Vec3& p) const {
   return {c.x * width_, c.y * height_};
 }
 
-std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& mesh, float reach) {
+std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& mesh, float reach,
+                                   std::span<const std::uint32_t> apron) {
   const ChartFrame frame(chart);
   std::vector<TexelPlace> map(texel_count(chart));
   for (const std::uint32_t t : chart.triangles) {
@@ -126,6 +127,14 @@ std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& me
       const Place place = nearest(flat, centre);
       if (place.distance < texel.distance && place.distance <= reach)
         texel = {t, place.weights.x, place.weights.y, place.distance};
+    });
+  }
+  for (const std::uint32_t t : apron) {
+    const FlatTriangle flat = flat_triangle(frame, mesh, t);
+    for_texels_near(chart, flat, 0, [&](std::size_t i, const Vec2& centre) {
+      if (map[i].is_inside() || !map[i].is_used()) return;
+      const Place place = nearest(flat, centre);
+      if (place.distance == 0) map[i] = {t, place.weights.x, place.weights.y, 0};
     });
   }
   return map;

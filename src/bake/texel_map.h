@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bake/chart.h"
@@ -25,7 +26,10 @@ struct TexelPlace {
 ///
 /// Points of texels outside are kept clear of the triangle's border by a sixty-fourth of a texel,
 /// so that none lies on or in a surface that meets the chart there.
-std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& mesh, float reach);
+///
+/// Texels outside whose centre a triangle of `apron` holds stand for that point of it.
+std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& mesh, float reach,
+                                   std::span<const std::uint32_t> apron = {});
 
 /// Triangles of the list that lie over others in the chart, seen along its normal, so that a texel
 /// cannot say which of them it shows: those that take a texel's centre which one before them holds.
