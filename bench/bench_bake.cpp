@@ -1,5 +1,7 @@
 // How fast radiance textures are baked on the processor: the workloads of Heckbert and Herf (1997).
 //   bench_bake [--quick] [--threads N] [--only rebake|light|table|scaling|samples]
+//              [--model FILE]   a floor of 512² texels under it instead, one sphere light, 64
+//              points
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "bake_scene.h"
 #include "base/parallel.h"
 #include "race.h"
+#include "scene/load.h"
 
 namespace {
 
@@ -101,20 +104,60 @@ void report_samples(int repeats) {
                1e6 * race.time(i) / counts[i]);
 }
 
+/// A mesh on a floor of about twice its width, under a sphere light over its shoulder.
+BakeScene floor_under(const std::string& file) {
+  BakeScene s;
+  s.scene = load_scene(file);
+  s.scene.lights.clear();
+  const Bounds b = bounds_of(s.scene);
+  const Vec3 c = b.center(), size = b.size();
+  const float side = 2 * std::max(size.x, size.z);
+  Mesh floor;
+  const Vec3 corner{c.x - side / 2, b.lo.y, c.z + side / 2};
+  floor.positions = {corner, corner + Vec3{side, 0, 0}, corner + Vec3{side, 0, -side},
+                     corner + Vec3{0, 0, -side}};
+  floor.indices = {0, 1, 2, 0, 2, 3};
+  PlanarChart chart;
+  chart.instance = static_cast<std::uint32_t>(s.scene.instances.size());
+  chart.triangles = {0, 1};
+  chart.base = corner, chart.edge_x = {side, 0, 0}, chart.edge_y = {0, 0, -side};
+  chart.normal = {0, 1, 0};
+  chart.width = chart.height = 512;
+  s.charts.push_back(chart);
+  Instance instance;
+  instance.mesh = static_cast<std::uint32_t>(s.scene.meshes.size());
+  s.scene.meshes.push_back(floor);
+  s.scene.instances.push_back(instance);
+  Light light;
+  light.type = LightType::sphere;
+  light.position = c + Vec3{0.5f * side, side, 0.3f * side};
+  light.radius = 0.1f * side;
+  light.emission = Vec3(20);
+  s.scene.lights.push_back(light);
+  s.options.light_samples = 64;
+  s.options.device = BakeDevice::cpu;
+  return s;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   bool quick = false;
   int threads = 0;
-  std::string only;
+  std::string only, model;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--quick")) quick = true;
     if (!std::strcmp(argv[i], "--only") && i + 1 < argc) only = argv[++i];
+    if (!std::strcmp(argv[i], "--model") && i + 1 < argc) model = argv[++i];
     if (!std::strcmp(argv[i], "--threads") && i + 1 < argc) threads = std::atoi(argv[++i]);
   }
   const ThreadLimit limit(threads);
   const int repeats = quick ? 1 : 5;
   fmt::print("{} threads\n", thread_count());
+  if (!model.empty()) {
+    report("floor", Bake(floor_under(model)), repeats);
+    return 0;
+  }
   const auto wanted = [&](const char* name) { return only.empty() || only == name; };
   if (wanted("rebake")) report("rebake", Bake(room(749, 4, 200000)), repeats);
   if (wanted("light")) report("fine light", Bake(room(6142, 16, 200000)), repeats);

@@ -56,7 +56,7 @@ class Accumulator {
   void row(int j, int width, const std::uint64_t* bits, float* lit, float* whole) {
     // r² = along² (i − middle)² + nearest²: a sum of squares keeps its digits near the foot point.
     const Vec3 d = w_.first + w_.step_y * static_cast<float>(j);
-    const float middle = -dot(d, w_.step_x) / along2_;
+    const float middle = along2_ > 0 ? -dot(d, w_.step_x) / along2_ : 0.0f;
     const Vec3 foot = d + w_.step_x * middle;
     middle_ = all(middle);
     nearest2_ = all(std::max(dot(foot, foot), 1e-12f));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/cost.h"
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
@@ -48,6 +49,17 @@ struct BakedIrradiance::Parts {
     raster = std::make_unique<RasterBaker>(*occluders);
   }
 
+  bool rasterises(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
+    if (options.device != BakeDevice::automatic) return raster != nullptr;
+    const Tile whole(chart, 0, 0, chart.width, chart.height);
+    float raster_seconds = 0, ray_seconds = 0;
+    for (const SampledLight& light : sampled) {
+      raster_seconds += raster_cost(*occluders, whole, light).seconds;
+      ray_seconds += ray_cost(whole, light);
+    }
+    return raster_seconds <= ray_seconds;
+  }
+
   const World& world;
   BakeOptions options;
   LightViews lights;
@@ -69,7 +81,7 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
-  if (p.raster) return p.raster->irradiance(chart, lights, out);
+  if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -136,7 +148,8 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
-  if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
+  if (p.rasterises(chart, std::span(&sampled, 1)))
+    return p.raster->visible_fractions(chart, sampled, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)

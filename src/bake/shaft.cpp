@@ -37,6 +37,8 @@ Shaft::Shaft(const Tile& tile, const SampledLight& light, std::span<const LightS
   add_side(tile, corners[0], tile.step_y, tile.step_x, light, points);
   add_side(tile, corners[1], tile.step_y, -tile.step_x, light, points);
   if (!at_infinity) add(-tile.normal, tile.origin + tile.normal * top, slack);
+  if (!at_infinity && samples.diagonal() > length(corners[3] - corners[0]))
+    add_along(corners, points);
   if (!light.flat) return;
   light_plane.normal = points.front().normal;
   light_plane.offset = -dot(light_plane.normal, points.front().position);
@@ -82,6 +84,26 @@ void Shaft::add_side(const Tile& tile, const Vec3& through, const Vec3& along, c
   const float size = length(normal);
   // A sample in the receiver's plane leans out without end: no plane.
   if (size < 1e6f) add(normal / size, through, slack);
+}
+
+// On each side a plane through what is furthest out at either end, then moved until it leaves
+// nothing outside.
+void Shaft::add_along(const Vec3 corners[4], std::span<const LightSample> points) {
+  const Vec3 way = samples_middle - tile_middle;
+  const float distance = length(way);
+  if (!(distance > 0)) return;
+  const Frame frame = frame_around(way / distance);
+  for (const Vec3& out : {frame.u, -frame.u, frame.v, -frame.v}) {
+    float at_tile = -INFINITY, at_light = -INFINITY;
+    for (int i = 0; i < 4; ++i) at_tile = std::max(at_tile, dot(out, corners[i] - tile_middle));
+    for (const LightSample& s : points)
+      at_light = std::max(at_light, dot(out, s.position - tile_middle));
+    const Vec3 inwards = normalize(frame.w * (at_light - at_tile) - out * distance);
+    float least = INFINITY;
+    for (int i = 0; i < 4; ++i) least = std::min(least, dot(inwards, corners[i]));
+    for (const LightSample& s : points) least = std::min(least, dot(inwards, s.position));
+    planes[count++] = {inwards, slack - least};
+  }
 }
 
 bool Shaft::meets(const Vec3& center, float radius) const {

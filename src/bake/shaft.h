@@ -19,9 +19,11 @@ struct Plane {
 /// A convex region that holds every segment between tile and samples (Haines and Wallace 1991,
 /// Shaft Culling for Efficient Ray-Traced Radiosity, here with planes through the sides of the
 /// receiver): in front of the receiver, below the highest sample, and within the planes through
-/// each side of the tile and the sample that leans out most over it.
+/// each side of the tile and the sample that leans out most over it. Those say little where samples
+/// are close to the receiver's plane; where the samples are further apart than the tile is wide,
+/// four planes along the way from one to the other bound it too.
 struct Shaft {
-  static constexpr int most = 7;
+  static constexpr int most = 10;
   int count = 0;
   std::array<Plane, most> planes;  ///< the first is the receiver's; on it counts as out
   /// What lies wholly on the light's plane is out too; a zero normal if the light is not flat.
@@ -45,6 +47,7 @@ struct Shaft {
  private:
   void bound_samples(std::span<const LightSample> points);
   void add(const Vec3& normal, const Vec3& through, float tolerance);
+  void add_along(const Vec3 corners[4], std::span<const LightSample> points);
   void add_side(const Tile& tile, const Vec3& through, const Vec3& along, const Vec3& inside,
                 const SampledLight& light, std::span<const LightSample> points);
 };

@@ -53,5 +53,34 @@ TEST_P(ClosedForm, IsMetWithoutOccluders) {
   }
 }
 
+TEST_P(ClosedForm, StaysFiniteWhereALightTouchesTheReceiver) {
+  for (const LightType type : {LightType::rect, LightType::sphere, LightType::disk,
+                               LightType::segment, LightType::point}) {
+    Scene scene;
+    add_floor(scene, add_material(scene, diffuse_material({0.8f, 0.8f, 0.8f})));
+    Light light = light_of(type);
+    light.position.y = 0;
+    light.normal = {1, 0, 0}, light.edge_v = {0, 0.5f, 0};
+    light.edge_u = {0, type == LightType::segment ? 0.2f : 0.0f, 0.7f};
+    light.emission = Vec3(1);
+    scene.lights.push_back(light);
+    const World world(scene, {.cone_tree = false});
+    BakeOptions options;
+    options.device = GetParam();
+    const BakedIrradiance baked(world, options);
+    std::vector<Vec3> found(80 * 80);
+    baked.of_chart(chart_of_quad(scene, 0, 80, 80), found);
+    float most = 0;
+    for (const Vec3& e : found) {
+      ASSERT_TRUE(std::isfinite(e.x) && e.x >= 0) << to_string(type);
+      most = std::max(most, e.x);
+    }
+    if (type != LightType::point) {
+      EXPECT_GT(most, 0) << to_string(type);
+      EXPECT_LE(most, 3.3f) << to_string(type);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace penumbra::bake
