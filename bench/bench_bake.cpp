@@ -2,6 +2,7 @@
 //   bench_bake [--quick] [--threads N] [--only rebake|light|table|scaling|samples]
 //              [--model FILE]   a floor of 512² texels under it instead, one sphere light, 64
 //              points
+// Also prints lines "NAME<tab>VALUE" for bench/run: seconds, and ratios of what took turns.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -62,6 +63,8 @@ class Bake {
   int turn_ = 0;
 };
 
+void say(const std::string& name, double value) { fmt::print("{}\t{:.6g}\n", name, value); }
+
 void report(const std::string& what, Bake bake, int repeats) {
   const BakeScene& s = bake.scene();
   const std::string name = fmt::format("{}: {} triangles, {} receivers, {} texels", what,
@@ -70,6 +73,7 @@ void report(const std::string& what, Bake bake, int repeats) {
   race.add(name, [&] { bake(); });
   race.run(repeats);
   fmt::print("{}: {:.2f} ms, {:.0f} a second\n", name, 1e3 * race.time(0), 1 / race.time(0));
+  say(what, race.time(0));
 }
 
 /// Exponent of time over triangles from the first scene to the last.
@@ -88,7 +92,8 @@ void report_scaling(int repeats, int most) {
   const std::size_t last = bakes.size() - 1;
   const double size = static_cast<double>(bakes[last].scene().triangle_count()) /
                       static_cast<double>(bakes[0].scene().triangle_count());
-  fmt::print("exponent {:.2f}\n", std::log(race.ratio(last, 0)) / std::log(size));
+  say("exponent", std::log(race.ratio(last, 0)) / std::log(size));
+  say("largest", static_cast<double>(bakes[last].scene().triangle_count()));
 }
 
 void report_samples(int repeats) {
@@ -102,6 +107,8 @@ void report_samples(int repeats) {
   for (std::size_t i = 0; i < bakes.size(); ++i)
     fmt::print("{} samples: {:.2f} ms, {:.1f} us a sample\n", counts[i], 1e3 * race.time(i),
                1e6 * race.time(i) / counts[i]);
+  const std::size_t last = bakes.size() - 1;
+  say("time a sample, most / fewest", race.ratio(last, 0) * counts[0] / counts[last]);
 }
 
 /// A mesh on a floor of about twice its width, under a sphere light over its shoulder.

@@ -10,6 +10,8 @@ namespace penumbra::app {
 namespace {
 
 constexpr std::array<std::string_view, 3> kDevices{"auto", "cpu", "rays"};
+// In the order of SamplePlacement.
+constexpr std::array<std::string_view, 3> kSampleGrids{"jittered", "regular", "low-discrepancy"};
 
 bake::BakeDevice read_device(const std::string& text) {
   if (text == "gl")
@@ -36,6 +38,9 @@ void add_light_choices(CLI::App& command, Arguments& a) {
       "--light-samples-scale", "F", "1",
       [&](auto& t) { light.samples_scale = parse_number("--light-samples-scale", t, 1e-3, 1e3); },
       "multiplies the points on all lights");
+  add(
+      "--sample-grid", "NAME", "jittered", [&](auto& t) { light.placement = read_sample_grid(t); },
+      "jittered, regular or low-discrepancy points on each light");
 }
 
 void add_texture_options(CLI::App& command, Arguments& a) {
@@ -102,6 +107,10 @@ void add_file_options(CLI::App& command, Arguments& a) {
 }
 
 }  // namespace
+
+bake::SamplePlacement read_sample_grid(const std::string& text) {
+  return static_cast<bake::SamplePlacement>(parse_choice("--sample-grid", text, kSampleGrids));
+}
 
 void add_bake_options(CLI::App& command, Arguments& a) {
   add_light_choices(command, a);

@@ -13,6 +13,7 @@ namespace {
 bake::BakeOptions options_of(const Arguments& arguments, bake::BakeDevice device) {
   bake::BakeOptions options;
   options.device = device;
+  options.placement = arguments.bake.light.placement;
   options.light_samples = arguments.render.shadows.light_samples;
   options.seed = arguments.render.seed;
   options.conversions = arguments.conversion;

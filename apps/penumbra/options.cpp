@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "bake_options.h"
 #include "base/error.h"
 #include "light_spec.h"
 #include "values.h"
@@ -187,6 +188,10 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
       "--texel-size", "METRES", "2 million texels",
       [&](auto& t) { a.bake.textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
       "heckbert-herf: side of a texel of what is baked first");
+  add(
+      "--sample-grid", "NAME", "jittered",
+      [&](auto& t) { a.bake.light.placement = read_sample_grid(t); },
+      "heckbert-herf: jittered, regular or low-discrepancy points on each light");
   add_field_options(command, a);
 }
 

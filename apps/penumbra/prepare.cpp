@@ -30,7 +30,8 @@ std::string_view idle_with(const std::string& option, const Arguments& a) {
   if (of_fields && !shadows.marches_field()) return method;
   if (option == "--k" && shadows.kind == ShadowKind::hard) return method;
   if (option == "--light-samples" && baked) return {};
-  if (option == "--texel-size" && !baked) return method;
+  const bool of_bakes = option == "--texel-size" || option == "--sample-grid";
+  if (of_bakes && !baked) return method;
   if (of_area && shadows.kind != ShadowKind::area) return method;
   if (of_parker && shadows.kind != ShadowKind::parker) return method;
   if (option == "--light-samples" && shadows.error) return "beside --error";

@@ -17,19 +17,27 @@ stage() {
     }'
 }
 
-# get_models: large.ply and small.ply in the work folder.
-get_models() {
+# get_small_model: small.ply in the work folder.
+get_small_model() {
   if [ -n "$dragon" ]; then
     model="the dragon"
+    cp "$dragon_small" "$work/small.ply"
+  else
+    model="a rough torus knot"
+    "$bin/make_knot" 11102 "$work/small.ply"
+  fi
+}
+
+# get_models: large.ply and small.ply in the work folder.
+get_models() {
+  get_small_model
+  if [ -n "$dragon" ]; then
     case $dragon in
       *.gz) gzip -dc "$dragon" >"$work/large.ply" ;;
       *) cp "$dragon" "$work/large.ply" ;;
     esac
-    cp "$dragon_small" "$work/small.ply"
   else
-    model="a rough torus knot"
     "$bin/make_knot" 871414 "$work/large.ply"
-    "$bin/make_knot" 11102 "$work/small.ply"
   fi
 }
 

@@ -78,6 +78,34 @@ TEST_F(BakedLightTest, CoarseTexelsBlur) {
   EXPECT_GT(rmse(truth, coarse, "R"), 2 * rmse(truth, fine, "R"));
 }
 
+// Heckbert and Herf's figures 1 and 2.
+TEST_F(BakedLightTest, ARegularGridAveragesHardImages) {
+  use(lights[1].second);
+  const std::vector<std::string> method{"--shadows", "heckbert-herf", "--texel-size", "0.04",
+                                        "--sample-grid"};
+  const auto with = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all = method;
+    all.insert(all.end(), options.begin(), options.end());
+    return picture(all);
+  };
+  ExrFile mean;
+  for (const char* corner : {"-1.5,3,0.5", "-1,3,0.5", "-1.5,3,1", "-1,3,1"}) {
+    const std::string quarter = std::string("rect:") + corner + ",0.5,0,0,0,0,0.5,80";
+    const ExrFile hard =
+        with({"regular", "--light-samples", "1", "--no-scene-lights", "--light", quarter});
+    if (mean.channels.empty()) {
+      mean = hard;
+      for (float& x : mean.channels.at("R").data) x /= 4;
+    } else {
+      for (std::size_t i = 0; i < hard.channels.at("R").data.size(); ++i)
+        mean.channels.at("R").data[i] += hard.channels.at("R").data[i] / 4;
+    }
+  }
+  EXPECT_LT(rmse(mean, with({"regular", "--light-samples", "4"}), "R"), 1e-5);
+  EXPECT_GT(rmse(mean, with({"jittered", "--light-samples", "4"}), "R"), 1e-3);
+  EXPECT_GT(rmse(mean, with({"low-discrepancy", "--light-samples", "4"}), "R"), 1e-3);
+}
+
 TEST_F(BakedLightTest, ProbesAnswerAsTheReference) {
   std::string points = "x,y,z,nx,ny,nz\n";
   for (int i = 0; i < 400; ++i)
