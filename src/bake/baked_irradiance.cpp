@@ -1,5 +1,6 @@
 #include "bake/baked_irradiance.h"
 
+#include "bake/gl/gl_baker.h"
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
@@ -43,7 +44,10 @@ struct BakedIrradiance::Parts {
       : world(w), options(o), lights(w.scene()), sampler(lights, options), rays(w) {
     if (options.device == BakeDevice::rays) return;
     occluders = std::make_unique<Occluders>(w.scene(), options.conversions);
-    raster = std::make_unique<RasterBaker>(*occluders);
+    if (options.device == BakeDevice::gl)
+      gl = std::make_unique<GlBaker>(*occluders);
+    else
+      raster = std::make_unique<RasterBaker>(*occluders);
   }
 
   const World& world;
@@ -51,8 +55,9 @@ struct BakedIrradiance::Parts {
   LightViews lights;
   LightSampler sampler;
   RayBaker rays;
-  std::unique_ptr<Occluders> occluders;  ///< both null for rays
-  std::unique_ptr<RasterBaker> raster;
+  std::unique_ptr<Occluders> occluders;  ///< null for rays
+  std::unique_ptr<RasterBaker> raster;   ///< one of the two, or none
+  std::unique_ptr<GlBaker> gl;
 };
 
 BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
@@ -68,6 +73,7 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
   if (p.raster) return p.raster->irradiance(chart, lights, out);
+  if (p.gl) return p.gl->irradiance(chart, lights, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -100,6 +106,7 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
   if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
+  if (p.gl) return p.gl->visible_fractions(chart, sampled, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)

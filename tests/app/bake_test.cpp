@@ -151,8 +151,8 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
   expect_refused(penumbra({"bake", scene}), 2, "no output is named; add -o OUT.glb");
   expect_refused(bake({}, folder / "b.gltf"), 2,
                  folder / "b.gltf" + ": a bake is written as binary glTF; let it end in .glb");
-  expect_refused(bake({"--device", "gl"}, folder / "b.glb"), 2,
-                 "--device: bake has no gl in this version; use auto, cpu or rays");
+  expect_refused(bake({"--device", "gpu"}, folder / "b.glb"), 2,
+                 "--device: 'gpu' is unknown; did you mean cpu? There are auto, cpu, gl and rays");
   expect_refused(bake({"--lightmap", "--hdr"}, folder / "b.glb"), 2,
                  "--hdr: a lightmap always has its EXR beside it; leave --hdr out");
   const Outcome tight =
