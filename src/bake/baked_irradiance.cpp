@@ -1,5 +1,6 @@
 #include "bake/baked_irradiance.h"
 
+#include "bake/cost.h"
 #include "bake/gl/gl_baker.h"
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
@@ -50,14 +51,25 @@ struct BakedIrradiance::Parts {
       raster = std::make_unique<RasterBaker>(*occluders);
   }
 
+  bool rasterises(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
+    if (options.device != BakeDevice::automatic) return raster != nullptr;
+    const Tile whole(chart, 0, 0, chart.width, chart.height);
+    float raster_seconds = 0, ray_seconds = 0;
+    for (const SampledLight& light : sampled) {
+      raster_seconds += raster_cost(*occluders, whole, light).seconds;
+      ray_seconds += ray_cost(whole, light);
+    }
+    return raster_seconds <= ray_seconds;
+  }
+
   const World& world;
   BakeOptions options;
   LightViews lights;
   LightSampler sampler;
   RayBaker rays;
   std::unique_ptr<Occluders> occluders;  ///< null for rays
-  std::unique_ptr<RasterBaker> raster;   ///< one of the two, or none
-  std::unique_ptr<GlBaker> gl;
+  std::unique_ptr<RasterBaker> raster;   ///< null for rays and gl
+  std::unique_ptr<GlBaker> gl;           ///< null for others
 };
 
 BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
@@ -72,8 +84,8 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
-  if (p.raster) return p.raster->irradiance(chart, lights, out);
   if (p.gl) return p.gl->irradiance(chart, lights, out);
+  if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -105,8 +117,9 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
-  if (p.raster) return p.raster->visible_fractions(chart, sampled, out);
   if (p.gl) return p.gl->visible_fractions(chart, sampled, out);
+  if (p.rasterises(chart, std::span(&sampled, 1)))
+    return p.raster->visible_fractions(chart, sampled, out);
   const auto width = static_cast<std::size_t>(chart.width);
   in_pieces(out.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)

@@ -88,15 +88,17 @@ class Cutter {
     shape.base = p.base, shape.edge_x = p.edge_x, shape.edge_y = p.edge_y;
     chart.half = p.half;
     chart.texel_size = texel_size(triangles);
-    shape.width = texels(length(p.edge_x), chart.texel_size);
-    shape.height = texels(length(p.edge_y), chart.texel_size);
+    if (!flat) chart.texel_size = std::min(chart.texel_size, curved_texel_size(triangles));
+    shape.width = texels(length(p.edge_x), chart.texel_size, flat);
+    shape.height = texels(length(p.edge_y), chart.texel_size, flat);
     return chart;
   }
 
-  int texels(float metres, float size) {
+  /// At least two along a side, four where the surface turns away within it.
+  int texels(float metres, float size, bool flat) {
     const float count = std::ceil(metres / size);
     if (count > static_cast<float>(options_.most_texels)) remark(remarks_.coarse);
-    return std::clamp(static_cast<int>(std::min(count, 1e6f)), 2, options_.most_texels);
+    return std::clamp(static_cast<int>(std::min(count, 1e6f)), flat ? 2 : 4, options_.most_texels);
   }
 
   /// That of the base-colour texture where this is finer, as far as allowed.
@@ -113,6 +115,34 @@ class Cutter {
     const auto wanted = static_cast<float>(std::sqrt(world / texture));
     if (wanted < options_.finest * options_.texel_size) remark(remarks_.blurred);
     return std::clamp(wanted, options_.finest * options_.texel_size, options_.texel_size);
+  }
+
+  /// So fine that the surface turns by 0.4 radians within a texel on average, but at least half of
+  /// what was asked for: one point a texel would show a rounded edge in blotches.
+  float curved_texel_size(const TriangleIds& triangles) const {
+    double turn = 0, area = 0;
+    for (const std::uint32_t t : triangles) {
+      area += mesh_.area(t);
+      for (const std::uint32_t n : adjacency_.neighbours(t)) {
+        const double cosine = std::clamp(dot(mesh_.normal(t), mesh_.normal(n)), -1.0f, 1.0f);
+        // Each edge is met from both of its sides.
+        if (cosine > facet_cosine) turn += 0.5 * std::acos(cosine) * shared_edge(t, n);
+      }
+    }
+    const auto wanted = static_cast<float>(0.4 * area / std::max(turn, 1e-30));
+    return std::max(wanted, 0.5f * options_.texel_size);
+  }
+
+  /// Metres.
+  float shared_edge(std::uint32_t a, std::uint32_t b) const {
+    const auto is_corner = [&](const Vec3& p) {
+      return p == mesh_.corner(b, 0) || p == mesh_.corner(b, 1) || p == mesh_.corner(b, 2);
+    };
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &p = mesh_.corner(a, k), &q = mesh_.corner(a, (k + 1) % 3);
+      if (is_corner(p) && is_corner(q)) return length(q - p);
+    }
+    return 0;
   }
 
   double uv_area(std::uint32_t t, const TextureSlot& slot) const {

@@ -2,6 +2,7 @@
 
 #include <json/writer.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -105,7 +106,10 @@ class Writer {
     if (model_.textures.empty()) return;
     root_["textures"] = model_.textures;
     constexpr int linear = 9729, mipmaps = 9987, clamp = 33071, repeat = 10497;
+    const bool repeats = std::ranges::any_of(
+        model_.textures, [](const Json::Value& texture) { return texture["sampler"] == 1; });
     for (const int wrap : {clamp, repeat}) {
+      if (wrap == repeat && !repeats) break;
       Json::Value sampler;
       sampler["magFilter"] = linear, sampler["minFilter"] = mipmaps;
       sampler["wrapS"] = sampler["wrapT"] = wrap;

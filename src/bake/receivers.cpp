@@ -12,6 +12,7 @@ namespace {
 
 std::vector<std::string_view> names_of(const Scene& scene) {
   std::vector<std::string_view> names;
+  names.reserve(scene.objects.size());
   for (const Object& object : scene.objects) names.push_back(object.name);
   return names;
 }

@@ -1,47 +1,12 @@
 #include "bake/tile_baker.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "bake/awkward_shapes.h"
+#include "bake/cost.h"
 #include "bake/sample_weights.h"
 
 namespace penumbra::bake {
-namespace {
-
-/// Samples that share a walk through the occluders, neighbours on the light: at most this many.
-constexpr std::size_t most_in_batch = 16;
-/// What it costs to look at a triangle that may be in a shaft, and to walk there, in triangles
-/// projected in vain (measured, and rounded).
-constexpr float cost_of_look = 4, cost_of_walk = 2000;
-
-/// The number of samples a batch with the least cost. A shaft from a tile of size d to samples g
-/// apart is (d² + d g + g²) / 3 in mean section, and holds as large a share of the triangles as it
-/// takes of the section of the scene: many samples share a walk, but draw what is in the way of any
-/// of them.
-std::size_t batch_size(const Occluders& occluders, const Tile& tile, const SampledLight& light) {
-  const Bounds& scene = occluders.bounds();
-  Bounds samples;
-  for (const LightSample& s : light.samples) samples.grow(s.position);
-  float apart = samples.diagonal();
-  if (light.kind == EmitterKind::direction) apart *= 0.5f * scene.diagonal();
-  const float size = length(tile.corner(1, 1) - tile.corner(0, 0));
-  const float density = static_cast<float>(occluders.triangle_count()) /
-                        std::max(scene.half_area(), std::numeric_limits<float>::min());
-  const auto count = static_cast<float>(light.samples.size());
-  std::size_t best = most_in_batch;
-  float least = INFINITY;
-  for (std::size_t b = most_in_batch; b > 0; b /= 2) {
-    const auto n = static_cast<float>(b);
-    const float g = b == 1 ? 0 : apart * std::min(1.0f, std::sqrt(n / count));
-    const float triangles = density * (size * size + size * g + g * g) / 3;
-    const float cost = triangles * (1 + cost_of_look / n) + cost_of_walk / n;
-    if (cost < least) least = cost, best = b;
-  }
-  return best;
-}
-
-}  // namespace
 
 const TexelSums& TileBaker::bake(const Occluders& occluders, const Tile& tile,
                                  const OwnTriangles& own, const SampledLight& light,
@@ -52,7 +17,7 @@ const TexelSums& TileBaker::bake(const Occluders& occluders, const Tile& tile,
   const bool needs_whole = bake::needs_whole(light, quantity);
   if (needs_whole) whole_.resize(tile.width, tile.height);
   const std::span<const LightSample> samples(light.samples);
-  const std::size_t batch = batch_size(occluders, tile, light);
+  const std::size_t batch = raster_cost(occluders, tile, light).batch;
   for (std::size_t i = 0; i < samples.size(); i += batch)
     add_samples(occluders, tile, own, light,
                 samples.subspan(i, std::min(batch, samples.size() - i)), quantity,

@@ -119,6 +119,20 @@ TEST_F(BakeCommandTest, TheKhronosValidatorFindsNoError) {
 TEST_F(BakeCommandTest, ThePreviewHasAllThatItNeeds) {
   if (!has_viewer()) GTEST_SKIP() << "three.js is not there; run scripts/get-viewer";
   ASSERT_EQ(
+      bake({"--texel-size", "0.1", "--preview", folder / "p.html", "-q"}, folder / "b.glb").status,
+      0);
+  const std::string page = read_file(folder / "p.html");
+  EXPECT_THAT(page, ::testing::Not(::testing::HasSubstr("src=")));
+  for (const char* placeholder : {"@title@", "@imports@", "@glb@"})
+    EXPECT_THAT(page, ::testing::Not(::testing::HasSubstr(placeholder)));
+  EXPECT_GT(page.size(), read_file(folder / "b.glb").size() * 4 / 3);
+}
+
+TEST_F(BakeCommandTest, ThreeJsShowsWhatRenderShows) {
+  if (!has_viewer()) GTEST_SKIP() << "three.js is not there; run scripts/get-viewer";
+  if (std::system("chromium --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "there is no chromium";
+  ASSERT_EQ(
       bake({"--texel-size", "0.03", "--preview", folder / "p.html", "-q"}, folder / "b.glb").status,
       0);
   ASSERT_EQ(std::system(("timeout 60 chromium --headless --no-sandbox --use-gl=angle "
