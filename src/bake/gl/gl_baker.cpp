@@ -5,6 +5,7 @@
 
 #include "bake/gl/pass_drawer.h"
 #include "bake/tiles.h"
+#include "base/cancel.h"
 #include "gl/thread.h"
 
 namespace penumbra::bake {
@@ -40,6 +41,7 @@ TexelSums GlBaker::bake(const Tile& tile, const OwnTriangles& own, const Sampled
   lit.resize(tile.width, tile.height), whole.resize(tile.width, tile.height);
   const std::span<const LightSample> samples(light.samples);
   for (std::size_t first = 0; first < samples.size(); first += samples_a_pass) {
+    throw_if_cancelled();
     const auto some = samples.subspan(first, std::min(samples_a_pass, samples.size() - first));
     const std::vector<float> sums =
         drawing_->draw(prepare_pass(occluders_, tile, own, light, some, quantity));
