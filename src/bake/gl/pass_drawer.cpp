@@ -17,9 +17,10 @@ constexpr int hidden_unit = 1;
 
 std::string shader(std::string_view name) { return std::string(bake_shader_text(name)); }
 
-/// With #define SPHERES after its first line, the version.
-std::string for_spheres(std::string text) {
-  return text.insert(text.find('\n') + 1, "#define SPHERES\n");
+/// With a definition after its first line, the version.
+std::string shader(std::string_view name, const std::string& definition) {
+  std::string text = shader(name);
+  return text.insert(text.find('\n') + 1, "#define " + definition + "\n");
 }
 
 void set(gl::Program& program, const char* name, const Vec3& v) {
@@ -38,8 +39,16 @@ void write_block(gl::Buffer& buffer, std::vector<T> entries, std::size_t count) 
 
 PassDrawer::PassDrawer()
     : triangles_(shader("project.vert.glsl"), shader("triangle.frag.glsl")),
-      spheres_(for_spheres(shader("project.vert.glsl")), shader("sphere.frag.glsl")),
-      weights_(shader("weights.frag.glsl")) {}
+      spheres_(shader("project.vert.glsl", "SPHERES"), shader("sphere.frag.glsl")) {}
+
+/// One branch each: drivers on processors take all branches of a shader.
+gl::Program& PassDrawer::weights(Falloff falloff) {
+  const auto index = static_cast<std::size_t>(falloff);
+  if (!weights_[index])
+    weights_[index] = std::make_unique<gl::Program>(
+        shader("weights.frag.glsl", "FALLOFF " + std::to_string(index)));
+  return *weights_[index];
+}
 
 void PassDrawer::grow(int width, int height) {
   if (bits_ && bits_->width() >= width && bits_->height() >= height) return;
@@ -84,12 +93,12 @@ std::vector<float> PassDrawer::draw(const SamplePass& pass) {
   for (std::size_t i = 0; i < pass.words.size(); ++i) draw_word(pass, static_cast<int>(i));
   bits_->bind(hidden_unit);
   write_block(uniforms_, pass.weights, samples_a_pass);
-  weights_.set("hidden", hidden_unit);
-  weights_.set("count", static_cast<int>(pass.weights.size()));
-  weights_.set("falloff", static_cast<int>(pass.falloff));
-  set(weights_, "step_x", pass.step_x), set(weights_, "step_y", pass.step_y);
+  gl::Program& program = weights(pass.falloff);
+  program.set("hidden", hidden_unit);
+  program.set("count", static_cast<int>(pass.weights.size()));
+  set(program, "step_x", pass.step_x), set(program, "step_y", pass.step_y);
   sums_->use();
-  weights_.draw(pass.width, pass.height);
+  program.draw(pass.width, pass.height);
   return sums_->read(0, pass.width, pass.height);
 }
 

@@ -1,6 +1,7 @@
 // Equation (1) of Heckbert and Herf (1997) by OpenGL: the samples' hard shadows as bits, added up.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,10 @@ class PassDrawer {
   void grow(int width, int height);
   void draw_word(const SamplePass& pass, int layer);
 
-  gl::Program triangles_, spheres_, weights_;
+  gl::Program& weights(Falloff falloff);
+
+  gl::Program triangles_, spheres_;
+  std::array<std::unique_ptr<gl::Program>, 7> weights_;  ///< by Falloff
   gl::Buffer vertices_, uniforms_;
   std::unique_ptr<gl::BitLayers> bits_;
   std::unique_ptr<gl::Target> sums_;

@@ -1,5 +1,6 @@
 #version 450
-// Sums of what the samples give to each texel: see Falloff and TexelWeights.
+// Sums of what the samples give to each texel: see TexelWeights and, for
+// FALLOFF, Falloff.
 
 struct Weight {
   vec4 first;   // offset of texel (0, 0) from the sample; w: scale
@@ -7,28 +8,28 @@ struct Weight {
 };
 layout(std140, binding = 0) uniform Weights { Weight weights[256]; };
 uniform usampler2DArray hidden;  // a bit a sample
-uniform int count, falloff;
+uniform int count;
 uniform vec3 step_x, step_y;
 layout(location = 0) out vec4 sums;  // of the samples that nothing hides, of all
 
 float weight_of(Weight s, vec3 d) {
   float r2 = max(dot(d, d), 1e-12), a = dot(s.normal.xyz, d);
   float scale = s.first.w, k = s.normal.w;
-  switch (falloff) {
-    case 0:
-      return scale * max(0.0, a) / (r2 * (r2 + k));
-    case 1:
-      return scale * abs(a) / (r2 * (r2 + k));
-    case 2:
-      return scale * sqrt(max(0.0, r2 - a * a)) / (r2 * (r2 + k));
-    case 3:
-      return scale / (r2 * sqrt(r2));
-    case 4:
-      return scale * max(0.0, a) / (r2 * sqrt(r2));
-    case 5:
-      return a > 0.0 ? scale : 0.0;
-  }
+#if FALLOFF == 0
+  return scale * max(0.0, a) / (r2 * (r2 + k));
+#elif FALLOFF == 1
+  return scale * abs(a) / (r2 * (r2 + k));
+#elif FALLOFF == 2
+  return scale * sqrt(max(0.0, r2 - a * a)) / (r2 * (r2 + k));
+#elif FALLOFF == 3
+  return scale / (r2 * sqrt(r2));
+#elif FALLOFF == 4
+  return scale * max(0.0, a) / (r2 * sqrt(r2));
+#elif FALLOFF == 5
+  return a > 0.0 ? scale : 0.0;
+#else
   return scale;
+#endif
 }
 
 void main() {
