@@ -9,13 +9,11 @@
 namespace penumbra::app {
 namespace {
 
-constexpr std::array<std::string_view, 3> kDevices{"auto", "cpu", "rays"};
+constexpr std::array<std::string_view, 4> kDevices{"auto", "cpu", "gl", "rays"};
 // In the order of SamplePlacement.
 constexpr std::array<std::string_view, 3> kSampleGrids{"jittered", "regular", "low-discrepancy"};
 
 bake::BakeDevice read_device(const std::string& text) {
-  if (text == "gl")
-    throw InputError("--device: bake has no gl in this version", "use " + listed(kDevices));
   return static_cast<bake::BakeDevice>(parse_choice("--device", text, kDevices));
 }
 
@@ -27,7 +25,7 @@ void add_light_choices(CLI::App& command, Arguments& a) {
   };
   add(
       "--device", "NAME", "auto", [&](auto& t) { light.device = read_device(t); },
-      "cpu (rasteriser), rays, or auto: the cheaper one for each chart");
+      "cpu (rasteriser), gl (OpenGL), rays, or auto: the cheaper one for each chart");
   add(
       "--light-samples", "N", "by solid angle",
       [&](auto& t) {

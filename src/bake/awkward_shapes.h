@@ -14,7 +14,7 @@ namespace penumbra::bake {
 /// How one sample is seen by one tile.
 struct SampleView {
   const Tile& tile;
-  const PyramidToBox& projection;
+  PyramidToBox projection;
   double least_w;    ///< what has less is at the height of the sample
   bool at_infinity;  ///< the sample is the direction `sample`
   Vec3d sample;

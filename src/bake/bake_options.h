@@ -11,6 +11,7 @@ namespace penumbra::bake {
 enum class BakeDevice : std::uint8_t {
   automatic,  ///< the cheaper of the two for each chart, by an estimate
   cpu,        ///< our rasteriser, one bit a texel; rays where there is no chart
+  gl,         ///< the same by OpenGL; rays where there is no chart
   rays        ///< a shadow ray for each texel and sample
 };
 

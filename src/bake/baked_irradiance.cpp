@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include "bake/cost.h"
+#include "bake/gl/gl_baker.h"
 #include "bake/raster_baker.h"
 #include "bake/ray_baker.h"
 #include "base/parallel.h"
@@ -59,7 +60,10 @@ struct BakedIrradiance::Parts {
       : world(w), options(o), lights(w.scene()), sampler(lights, options), rays(w) {
     if (options.device == BakeDevice::rays) return;
     occluders = std::make_unique<Occluders>(w.scene(), options.conversions);
-    raster = std::make_unique<RasterBaker>(*occluders);
+    if (options.device == BakeDevice::gl)
+      gl = std::make_unique<GlBaker>(*occluders);
+    else
+      raster = std::make_unique<RasterBaker>(*occluders);
   }
 
   bool rasterises(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
@@ -89,8 +93,9 @@ struct BakedIrradiance::Parts {
   LightViews lights;
   LightSampler sampler;
   RayBaker rays;
-  std::unique_ptr<Occluders> occluders;  ///< both null for rays
-  std::unique_ptr<RasterBaker> raster;
+  std::unique_ptr<Occluders> occluders;  ///< null for rays
+  std::unique_ptr<RasterBaker> raster;   ///< null for rays and gl
+  std::unique_ptr<GlBaker> gl;           ///< null for others
 };
 
 BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
@@ -105,6 +110,7 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
+  if (p.gl) return p.gl->irradiance(chart, lights, out);
   if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
   for_texels(chart, [&](std::size_t i, const Receiver& texel) {
     out[i] = {};
@@ -152,6 +158,7 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
+  if (p.gl) return p.gl->visible_fractions(chart, sampled, out);
   if (p.rasterises(chart, std::span(&sampled, 1)))
     return p.raster->visible_fractions(chart, sampled, out);
   for_texels(chart, [&](std::size_t i, const Receiver& texel) {

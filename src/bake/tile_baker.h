@@ -7,11 +7,10 @@
 #include "bake/occluders.h"
 #include "bake/own_triangles.h"
 #include "bake/raster_kernels.h"
+#include "bake/sample_weights.h"
 #include "bake/tile.h"
 
 namespace penumbra::bake {
-
-enum class BakeQuantity : std::uint8_t { irradiance, visible_fraction };
 
 /// Keeps its memory from tile to tile; one a thread.
 class TileBaker {
@@ -27,10 +26,9 @@ class TileBaker {
   /// Sets the bits of what hides the sample; false if nothing does.
   bool draw_shadow(const Occluders& occluders, const Tile& tile, const SampledLight& light,
                    const LightSample& sample, float receiver_epsilon);
-  void set_whole_irradiance(const Tile& tile, const SampledLight& light);
 
   BitRaster raster_;
-  TexelSums lit_, whole_, closed_form_;
+  TexelSums lit_, whole_;
   TriangleList triangles_;
   std::vector<MaskedTriangle> masked_;
   std::vector<Sphere> spheres_;

@@ -16,8 +16,10 @@ namespace {
 // A whole word of a list that is parted by blanks.
 bool has_word(const char* list, std::string_view word) {
   if (!list) return false;
-  const std::string padded = std::string(" ") + list + ' ';
-  return padded.find(" " + std::string(word) + ' ') != std::string::npos;
+  std::string padded(1, ' '), wanted(1, ' ');
+  padded.append(list) += ' ';
+  wanted.append(word) += ' ';
+  return padded.find(wanted) != std::string::npos;
 }
 
 struct Platform {
@@ -56,14 +58,20 @@ struct Api {
   std::array<EGLint, 7> attributes;
 };
 
-constexpr std::array<Api, 2> kApis{
-    {{EGL_OPENGL_ES_API,
-      EGL_OPENGL_ES3_BIT,
-      {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE, 0, 0}},
-     {EGL_OPENGL_API,
-      EGL_OPENGL_BIT,
-      {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}}}};
+constexpr Api core_api(EGLint minor) {
+  return {EGL_OPENGL_API,
+          EGL_OPENGL_BIT,
+          {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, minor,
+           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}};
+}
+
+std::vector<Api> apis(Profile profile) {
+  if (profile == Profile::core) return {core_api(5)};
+  return {{EGL_OPENGL_ES_API,
+           EGL_OPENGL_ES3_BIT,
+           {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE, 0, 0}},
+          core_api(3)};
+}
 
 EGLContext current_context(EGLDisplay display, const Api& api) {
   const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, api.renderable, EGL_SURFACE_TYPE, 0,
@@ -87,21 +95,22 @@ bool draws_floats() {
              : true;
 }
 
-[[noreturn]] void refuse() {
-  throw WorkError("there is no OpenGL driver that draws without a display (EGL, OpenGL ES 3.0)",
+[[noreturn]] void refuse(Profile profile) {
+  throw WorkError(std::string("there is no OpenGL driver that draws without a display (EGL, ") +
+                      (profile == Profile::core ? "OpenGL 4.5)" : "OpenGL ES 3.0)"),
                   "install one (Mesa's: apt-get install libegl1 libgl1-mesa-dri) or leave out "
                   "--device gl");
 }
 
 }  // namespace
 
-Context::Context() {
+Context::Context(Profile profile) {
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);  // what fails is said here, in one line
-  if (!epoxy_has_egl()) refuse();
+  if (!epoxy_has_egl()) refuse(profile);
   for (const Platform& platform : platforms()) {
     display_ = eglGetPlatformDisplayEXT(platform.platform, platform.native, nullptr);
     if (!display_ || !eglInitialize(display_, nullptr, nullptr)) continue;
-    for (const Api& api : kApis) {
+    for (const Api& api : apis(profile)) {
       context_ = current_context(display_, api);
       if (context_ == EGL_NO_CONTEXT) continue;
       if (draws_floats()) {
@@ -114,7 +123,7 @@ Context::Context() {
     }
     eglTerminate(display_);
   }
-  refuse();
+  refuse(profile);
 }
 
 Context::~Context() {

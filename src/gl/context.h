@@ -5,15 +5,20 @@
 
 namespace penumbra::gl {
 
-/// An OpenGL ES 3.0 context (or OpenGL 4.3 core, which takes the same shaders) made through EGL
-/// without window or display, current to the thread that made it. Graphics processors come before
-/// software; Mesa's surfaceless platform before the software device.
+enum class Profile {
+  shaders,  ///< OpenGL ES 3.0, or OpenGL 4.3 core, which takes the same shaders
+  core      ///< OpenGL 4.5 core
+};
+
+/// A context made through EGL without window or display, current to the thread that made it.
+/// Graphics processors come before software; Mesa's surfaceless platform before the software
+/// device.
 ///
 /// Drivers start threads: a process that is to fork must do so before it makes one.
 class Context {
  public:
   /// Throws WorkError if there is no driver, or none that draws into floats.
-  Context();
+  explicit Context(Profile profile = Profile::shaders);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;

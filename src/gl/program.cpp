@@ -5,7 +5,7 @@
 namespace penumbra::gl {
 namespace {
 
-constexpr const char* kVertex = R"(#version 300 es
+constexpr const char* kVertex = R"(
 void main() {  // one triangle that covers everything
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
@@ -35,11 +35,18 @@ unsigned compiled(unsigned type, const char* text) {
 
 }  // namespace
 
-Program::Program(const std::string& fragment) {
+// In the fragment shader's version.
+Program::Program(const std::string& fragment)
+    : Program(fragment.substr(0, fragment.find('\n')) + kVertex, fragment) {}
+
+Program::Program(const std::string& vertex, const std::string& fragment) {
   const unsigned pixels = compiled(GL_FRAGMENT_SHADER, fragment.c_str());
-  const unsigned corners = compiled(GL_VERTEX_SHADER, kVertex);
+  link(compiled(GL_VERTEX_SHADER, vertex.c_str()), pixels);
+}
+
+void Program::link(unsigned vertex, unsigned fragment) {
   program_ = glCreateProgram();
-  for (const unsigned shader : {corners, pixels}) {
+  for (const unsigned shader : {vertex, fragment}) {
     glAttachShader(program_, shader);
     glDeleteShader(shader);
   }
@@ -80,6 +87,31 @@ void Program::draw(int width, int height) {
   glViewport(0, 0, width, height);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glFinish();
+}
+
+void Program::draw_triangles(const Buffer& vertices, std::span<const int> attributes, int count,
+                             int instances, int width, int height, Combine combine) {
+  glUseProgram(program_);
+  glBindVertexArray(vertices_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+  int floats = 0;
+  for (const int size : attributes) floats += size;
+  std::size_t offset = 0;
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const auto location = static_cast<unsigned>(i);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, attributes[i], GL_FLOAT, GL_FALSE,
+                          floats * static_cast<int>(sizeof(float)),
+                          reinterpret_cast<const void*>(offset * sizeof(float)));
+    offset += static_cast<std::size_t>(attributes[i]);
+  }
+  glViewport(0, 0, width, height);
+  if (combine == Combine::set_bits) {
+    glEnable(GL_COLOR_LOGIC_OP);
+    glLogicOp(GL_OR);
+  }
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * count, instances);
+  glDisable(GL_COLOR_LOGIC_OP);
 }
 
 }  // namespace penumbra::gl

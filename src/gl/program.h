@@ -1,4 +1,4 @@
-// Fragment programs that are run once for every pixel of a rectangle.
+// Programs that are run once for every pixel of a rectangle, or of triangles.
 #pragma once
 
 #include <span>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/buffer.h"
 #include "gl/compile_log.h"
 
 namespace penumbra::gl {
@@ -22,11 +23,16 @@ class CompileError : public std::runtime_error {
   std::vector<CompileMessage> messages_;
 };
 
+/// How a program's output meets what the target holds.
+enum class Combine { replace, set_bits };
+
 /// A program of one fragment shader; needs the Context that it was made under.
 class Program {
  public:
   /// `fragment` is a whole GLSL ES 3.00 text. Throws CompileError.
   explicit Program(const std::string& fragment);
+  /// With a vertex shader of its own, for draw_triangles. Throws CompileError.
+  Program(const std::string& vertex, const std::string& fragment);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -42,8 +48,13 @@ class Program {
   /// Runs it for every pixel of the current Target's lower left width × height and waits until that
   /// is done.
   void draw(int width, int height);
+  /// Draws triangles into the current target's lower left width × height, `instances` times. A
+  /// vertex is `attributes[i]` floats for location i, one after the other. Profile::core.
+  void draw_triangles(const Buffer& vertices, std::span<const int> attributes, int count,
+                      int instances, int width, int height, Combine combine);
 
  private:
+  void link(unsigned vertex, unsigned fragment);
   int location(const char* name) const;
   unsigned program_ = 0, vertices_ = 0;
 };

@@ -91,6 +91,35 @@ TEST_F(BakeCommandTest, HdrIsLinearRadianceBeside) {
   EXPECT_EQ(folder.count(), 3);
 }
 
+TEST_F(BakeCommandTest, OpenGlBakesTheSame) {
+  const Outcome outcome =
+      bake({"--texel-size", "0.05", "--hdr", "--device", "gl", "-q"}, folder / "gl.glb");
+  if (outcome.status == 1 && outcome.err.find("no OpenGL driver") != std::string::npos)
+    GTEST_SKIP() << "no OpenGL 4.5 driver that draws without a display";
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(
+      bake({"--texel-size", "0.05", "--hdr", "--device", "cpu", "-q"}, folder / "cpu.glb").status,
+      0);
+  const std::vector<float> gl = read_exr(folder / "gl.exr").channels.at("G").data;
+  const std::vector<float> cpu = read_exr(folder / "cpu.exr").channels.at("G").data;
+  ASSERT_EQ(gl.size(), cpu.size());
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < gl.size(); ++i)
+    differ += std::abs(gl[i] - cpu[i]) > 1e-3f * std::max(cpu[i], 0.01f);
+  EXPECT_LT(differ, gl.size() / 20);
+}
+
+TEST_F(BakeCommandTest, SaysSoWhereThereIsNoDriver) {
+  const Outcome outcome =
+      penumbra({"bake", scene, "-o", folder / "b.glb", "--device", "gl", "-q"},
+               [] { ::setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1); });
+  expect_refused(outcome, 1,
+                 "there is no OpenGL driver that draws without a display (EGL, OpenGL 4.5); "
+                 "install one (Mesa's: apt-get install libegl1 libgl1-mesa-dri) or leave out "
+                 "--device gl");
+  EXPECT_EQ(folder.count(), 1);
+}
+
 TEST_F(BakeCommandTest, ALightmapHasItsExrAndJsonBeside) {
   const Outcome outcome = bake({"--texel-size", "0.1", "--lightmap", "-q"}, folder / "b.glb");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -165,8 +194,8 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
   expect_refused(penumbra({"bake", scene}), 2, "no output is named; add -o OUT.glb");
   expect_refused(bake({}, folder / "b.gltf"), 2,
                  folder / "b.gltf" + ": a bake is written as binary glTF; let it end in .glb");
-  expect_refused(bake({"--device", "gl"}, folder / "b.glb"), 2,
-                 "--device: bake has no gl in this version; use auto, cpu or rays");
+  expect_refused(bake({"--device", "gpu"}, folder / "b.glb"), 2,
+                 "--device: 'gpu' is unknown; did you mean cpu? There are auto, cpu, gl or rays");
   expect_refused(bake({"--lightmap", "--hdr"}, folder / "b.glb"), 2,
                  "--hdr: a lightmap always has its EXR beside it; leave --hdr out");
   const Outcome tight =

@@ -2,14 +2,19 @@
 
 #include "bake/baked_irradiance.h"
 #include "bake/charts.h"
+#include "bake/driver.h"
 #include "render/direct_light.h"
 #include "render/small_scenes.h"
 
 namespace penumbra::bake {
 namespace {
 
-class ClosedForm : public ::testing::TestWithParam<BakeDevice> {};
-INSTANTIATE_TEST_SUITE_P(Devices, ClosedForm, ::testing::Values(BakeDevice::cpu, BakeDevice::rays));
+class ClosedForm : public ::testing::TestWithParam<BakeDevice> {
+ protected:
+  void SetUp() override { skip_without_driver(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Devices, ClosedForm,
+                         ::testing::Values(BakeDevice::cpu, BakeDevice::gl, BakeDevice::rays));
 
 Light light_of(LightType type) {
   Light light;

@@ -3,14 +3,19 @@
 
 #include "bake/baked_irradiance.h"
 #include "bake/charts.h"
+#include "bake/driver.h"
 #include "base/parallel.h"
 #include "render/small_scenes.h"
 
 namespace penumbra::bake {
 namespace {
 
-class Leaks : public ::testing::TestWithParam<BakeDevice> {};
-INSTANTIATE_TEST_SUITE_P(Devices, Leaks, ::testing::Values(BakeDevice::cpu, BakeDevice::rays));
+class Leaks : public ::testing::TestWithParam<BakeDevice> {
+ protected:
+  void SetUp() override { skip_without_driver(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Devices, Leaks,
+                         ::testing::Values(BakeDevice::cpu, BakeDevice::gl, BakeDevice::rays));
 
 Vec3 turned(const Vec3& p) {
   const Vec3 x = normalize(Vec3{0.7f, 0.3f, -0.2f}), helper{0.1f, 1, 0.3f};

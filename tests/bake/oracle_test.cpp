@@ -1,4 +1,4 @@
-// The visible fraction against the truth, on both devices.
+// The visible fraction against the truth, on each device.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,20 +6,24 @@
 
 #include "bake/baked_irradiance.h"
 #include "bake/charts.h"
+#include "bake/driver.h"
 #include "shadow/oracle.h"
 
 namespace penumbra::bake {
 namespace {
 
-class OnOracle : public ::testing::TestWithParam<std::tuple<std::string, BakeDevice>> {};
+class OnOracle : public ::testing::TestWithParam<std::tuple<std::string, BakeDevice>> {
+ protected:
+  void SetUp() override { skip_without_driver(std::get<1>(GetParam())); }
+};
 INSTANTIATE_TEST_SUITE_P(Scenes, OnOracle,
                          ::testing::Combine(::testing::ValuesIn(testing::oracle_names()),
-                                            ::testing::Values(BakeDevice::cpu, BakeDevice::rays)),
+                                            ::testing::Values(BakeDevice::cpu, BakeDevice::gl,
+                                                              BakeDevice::rays)),
                          [](const auto& param) {
                            std::string name = std::get<0>(param.param);
                            std::erase(name, '-');
-                           return name + (std::get<1>(param.param) == BakeDevice::cpu ? "OnCpu"
-                                                                                      : "ByRays");
+                           return name + name_of(std::get<1>(param.param));
                          });
 
 TEST_P(OnOracle, IsMetWithin2Percent) {
