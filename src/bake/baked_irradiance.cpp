@@ -134,10 +134,13 @@ void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t lig
                                        std::span<float> out) const {
   const Parts& p = *parts_;
   SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
-  if (p.rasterises(chart, std::span(&sampled, 1))) {
+  if (p.gl || p.rasterises(chart, std::span(&sampled, 1))) {
     sampled.emission = Vec3(1);
     std::vector<Vec3> all(out.size());
-    p.raster->irradiance(chart, std::span(&sampled, 1), all);
+    if (p.gl)
+      p.gl->irradiance(chart, std::span(&sampled, 1), all);
+    else
+      p.raster->irradiance(chart, std::span(&sampled, 1), all);
     std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
     return;
   }
