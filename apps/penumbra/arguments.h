@@ -1,6 +1,7 @@
 // What a person asked for on the command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct AovRequest {
 struct BakeArguments {
   bake::BakeOptions light;
   bake::TextureOptions textures;
+  float error = 0;                  ///< PassOptions::error
+  std::optional<float> time_limit;  ///< seconds of light
   bool lightmap = false, hdr = false;
   std::string preview;  ///< HTML file; empty = none
 };

@@ -26,6 +26,18 @@ void check_lightmap_options(const Arguments& a) {
     throw InputError("--preview: it shows radiance, not lightmaps", "leave --lightmap out");
 }
 
+bool is_in_passes(const Arguments& a) { return a.bake.error > 0 || a.bake.time_limit; }
+
+void check_error(const Arguments& a) {
+  if (is_in_passes(a) && a.bake.light.placement != bake::SamplePlacement::jittered)
+    throw InputError("--sample-grid: passes need points that differ, and these lie the same in all",
+                     "leave it out, or --error and --time-limit");
+  const float points = static_cast<float>(a.bake.light.light_samples) * a.bake.light.samples_scale;
+  if (a.bake.error > 0 && points > 0 && points <= 16)
+    throw InputError("--error: no chart is done before 16 points on each light",
+                     "give more --light-samples");
+}
+
 void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& console) {
   constexpr std::size_t shown = 5;
   const auto names = [](const std::vector<std::string>& all) {
@@ -65,10 +77,22 @@ Brightness brightness_of(const World& world, const Arguments& a, const DirectLig
   return bright;
 }
 
+bake::PassOptions pass_options(const Arguments& a) {
+  bake::PassOptions options;
+  options.error = a.bake.error;
+  if (a.bake.time_limit)
+    options.deadline =
+        std::chrono::steady_clock::now() +
+        std::chrono::microseconds(static_cast<std::int64_t>(1e6 * double{*a.bake.time_limit}));
+  return options;
+}
+
 void tell(const bake::BakeStats& stats, const bake::Plan& plan, Console& console) {
   console.remark(fmt::format("{} charts, {} texels of {:.3g} m, {} texture{}", stats.charts,
                              stats.texels, plan.texel_size, stats.pages,
                              stats.pages == 1 ? "" : "s"));
+  if (stats.light_points > 0)
+    console.remark(fmt::format("{:.3g} points a light on average", stats.light_points));
   if (stats.vertex_charts > 0)
     console.remark(
         fmt::format("{} charts are smooth and became vertex colours, within one 8-bit "
@@ -84,6 +108,7 @@ Json::Value stats_of(const Arguments& a, const Scene& scene, const World& world,
   json["vertex_charts"] = static_cast<Json::UInt64>(bake.vertex_charts);
   json["texels"] = static_cast<Json::UInt64>(bake.texels);
   json["textures"] = static_cast<Json::UInt64>(bake.pages);
+  if (bake.light_points > 0) json["points_per_light"] = bake.light_points;
   json["texel_size"] = plan.texel_size;
   return json;
 }
@@ -92,9 +117,11 @@ Json::Value stats_of(const Arguments& a, const Scene& scene, const World& world,
 
 void run_bake(Arguments& a, Console& console) {
   check_lightmap_options(a);
+  check_error(a);
   check_outputs(a);
   if (!a.bake.preview.empty()) bake::viewer_folder();  // refused now rather than after the work
   if (a.bake.textures.most_bytes == 0) a.bake.textures.most_bytes = available_memory() / 2;
+  a.bake.textures.in_passes = is_in_passes(a);
   const Scene loaded = prepare_scene(a, console);
   if (loaded.glsl)
     throw InputError({a.scene}, "a shader has no surfaces to bake", "use penumbra render");
@@ -110,12 +137,19 @@ void run_bake(Arguments& a, Console& console) {
   const Brightness bright = brightness_of(world, a, lights, materials);
   a.bake.light.seed = a.render.seed;
   const bake::BakedIrradiance irradiance(world, a.bake.light);
-  const bake::BakeInput input{scene,     irradiance,     lights,
-                              materials, bright.ambient, bright.exposure_ev};
+  bake::BakeInput input{scene,
+                        irradiance,
+                        lights,
+                        materials,
+                        bright.ambient,
+                        bright.exposure_ev,
+                        is_in_passes(a) ? &irradiance : nullptr,
+                        {}};
   const bake::PageSink write_page = [&](int page, std::size_t count, const Image& image) {
     write_exr(page_file(a, page, count), {{"", {"R", "G", "B"}, &image, a.bake.lightmap}});
   };
   const Stopwatch work;
+  input.passes = pass_options(a);
   const bake::Baked baked =
       bake::bake(input, plan, a.bake.textures,
                  a.bake.lightmap ? bake::Output::lightmap : bake::Output::radiance,

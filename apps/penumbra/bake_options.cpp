@@ -39,6 +39,14 @@ void add_light_choices(CLI::App& command, Arguments& a) {
   add(
       "--sample-grid", "NAME", "jittered", [&](auto& t) { light.placement = read_sample_grid(t); },
       "jittered, regular or low-discrepancy points on each light");
+  add(
+      "--error", "X", "", [&](auto& t) { a.bake.error = parse_number("--error", t, 1e-4, 1); },
+      "stop each chart when the standard error of its irradiance, by two independent halves of "
+      "its points, is below X of its brightest; 16 points at least");
+  add(
+      "--time-limit", "SECONDS", "",
+      [&](auto& t) { a.bake.time_limit = parse_number("--time-limit", t, 1e-3, 1e7); },
+      "of lighting, in passes of 1, 4, 16 ... points a light; the first is always finished");
 }
 
 void add_texture_options(CLI::App& command, Arguments& a) {

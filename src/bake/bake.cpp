@@ -22,8 +22,8 @@ std::uint64_t texels_of(const CutChart& chart) {
 }
 
 std::vector<LitChart> light_all(const BakeInput& input, const Plan& plan,
-                                const LightOptions& options, Progress& progress) {
-  const SurfaceLight surface(input.scene, input.materials, input.ambient);
+                                const SurfaceLight& surface, const LightOptions& options,
+                                Progress& progress) {
   std::vector<std::size_t> order(plan.charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   // Large ones first, so that none is left over for one thread at the end.
@@ -111,7 +111,7 @@ class Bake {
       : input_(input), plan_(plan), options_(options), output_(output) {}
 
   Baked run(const PageSink& sink, Progress& progress) {
-    lit_ = light_all(input_, plan_, light_options(), progress);
+    light(progress);
     place();
     if (output_ == Output::radiance)
       assemble_radiance();
@@ -128,6 +128,18 @@ class Bake {
   }
 
  private:
+  void light(Progress& progress) {
+    const SurfaceLight surface(input_.scene, input_.materials, input_.ambient);
+    if (!input_.refined) {
+      lit_ = light_all(input_, plan_, surface, light_options(), progress);
+      return;
+    }
+    LitCharts lit =
+        light_in_passes(plan_, *input_.refined, surface, light_options(), input_.passes, progress);
+    lit_ = std::move(lit.charts);
+    baked_.stats.light_points = lit.points;
+  }
+
   LightOptions light_options() const {
     LightOptions light;
     light.supersample = options_.supersample;

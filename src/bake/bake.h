@@ -5,6 +5,7 @@
 
 #include "bake/glb.h"
 #include "bake/light_chart.h"
+#include "bake/passes.h"
 #include "bake/plan.h"
 #include "base/progress.h"
 #include "render/direct_light.h"
@@ -19,6 +20,9 @@ struct BakeInput {
   const MaterialLookup& materials;
   Vec3 ambient;           ///< radiance
   float exposure_ev = 0;  ///< of 8-bit textures: code = sRGB(radiance · 2^EV)
+  /// light_in_passes() of this, instead of `irradiance`; null: all points at once.
+  const BakedIrradiance* refined = nullptr;
+  PassOptions passes = {};
 };
 
 enum class Output : std::uint8_t { radiance, lightmap };
@@ -27,6 +31,7 @@ struct BakeStats {
   std::size_t charts = 0, vertex_charts = 0, pages = 0;
   std::uint64_t texels = 0;        ///< lit
   std::uint64_t saved_texels = 0;  ///< of charts that became vertex colours
+  double light_points = 0;         ///< a light, on average; of passes alone
 };
 
 /// Called with each page of linear texels as it is finished.
@@ -45,7 +50,7 @@ struct Baked {
 /// without shadows (section 3.5). lightmap: the scene's materials with irradiance in TEXCOORD_1
 /// (MOZ_lightmap).
 ///
-/// The result depends on its arguments alone, not on threads.
+/// The result depends on its arguments alone, not on threads; but for a deadline.
 Baked bake(const BakeInput& input, const Plan& plan, const TextureOptions& options, Output output,
            const PageSink& sink, Progress& progress);
 

@@ -16,14 +16,17 @@ float instance_scale(const BakeOptions& options, std::uint32_t instance) {
   return instance < options.instance_scale.size() ? options.instance_scale[instance] : 1.0f;
 }
 
-ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options) {
+ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options,
+                       const SampleSet& set = {}) {
   return {{c.base, c.base + c.edge_x, c.base + c.edge_x + c.edge_y, c.base + c.edge_y},
           c.normal,
-          instance_scale(options, c.instance)};
+          instance_scale(options, c.instance) * set.share,
+          set.number};
 }
 
-ReceiverPatch patch_of(const Receiver& r, float scale) {
-  return {{r.position, r.position, r.position, r.position}, r.normal, scale};
+ReceiverPatch patch_of(const Receiver& r, float scale, const SampleSet& set) {
+  return {
+      {r.position, r.position, r.position, r.position}, r.normal, scale * set.share, set.number};
 }
 
 /// Calls body(first, last) for pieces of [0, count).
@@ -79,11 +82,12 @@ struct BakedIrradiance::Parts {
 
   /// Calls body(number, receiver, patch) for all points.
   template <class Body>
-  void for_points(std::span<const SurfacePoint> points, const Body& body) const {
+  void for_points(std::span<const SurfacePoint> points, const SampleSet& set,
+                  const Body& body) const {
     in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Receiver r = rays.receiver(points[i]);
-        body(i, r, patch_of(r, instance_scale(options, points[i].instance)));
+        body(i, r, patch_of(r, instance_scale(options, points[i].instance), set));
       }
     });
   }
@@ -105,11 +109,20 @@ BakedIrradiance::~BakedIrradiance() = default;
 
 const BakeOptions& BakedIrradiance::options() const { return parts_->options; }
 
-void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) const {
+std::vector<int> BakedIrradiance::sample_counts(const PlanarChart& chart,
+                                                const SampleSet& set) const {
+  std::vector<int> counts(parts_->world.scene().lights.size());
+  for (std::size_t l = 0; l < counts.size(); ++l)
+    counts[l] = parts_->sampler.count(l, patch_of(chart, parts_->options, set));
+  return counts;
+}
+
+void BakedIrradiance::of_chart(const PlanarChart& chart, const SampleSet& set,
+                               std::span<Vec3> out) const {
   const Parts& p = *parts_;
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
-    lights.push_back(p.sampler.sample(l, patch_of(chart, p.options)));
+    lights.push_back(p.sampler.sample(l, patch_of(chart, p.options, set)));
   if (p.gl) return p.gl->irradiance(chart, lights, out);
   if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
   for_texels(chart, [&](std::size_t i, const Receiver& texel) {
@@ -119,9 +132,10 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, std::span<Vec3> out) co
   });
 }
 
-void BakedIrradiance::of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const {
+void BakedIrradiance::of_points(std::span<const SurfacePoint> points, const SampleSet& set,
+                                std::span<Vec3> out) const {
   const Parts& p = *parts_;
-  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+  p.for_points(points, set, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
     out[i] = {};
     for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l) {
       const SampledLight light = p.sampler.sample(l, patch);
@@ -152,7 +166,7 @@ void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t lig
 void BakedIrradiance::unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
                                        std::span<float> out) const {
   const Parts& p = *parts_;
-  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+  p.for_points(points, {}, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
     out[i] = p.rays.light(r, p.sampler.sample(light, patch)).irradiance;
   });
 }
@@ -172,7 +186,7 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
 void BakedIrradiance::visible_fractions(std::span<const SurfacePoint> points, std::size_t light,
                                         std::span<float> out) const {
   const Parts& p = *parts_;
-  p.for_points(points, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+  p.for_points(points, {}, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
     out[i] = p.rays.light(r, p.sampler.sample(light, patch, true)).fraction;
   });
 }

@@ -20,9 +20,20 @@ class BakedIrradiance final : public Irradiance {
   BakedIrradiance(const BakedIrradiance&) = delete;
   BakedIrradiance& operator=(const BakedIrradiance&) = delete;
 
-  void of_chart(const PlanarChart& chart, std::span<Vec3> out) const override;
+  void of_chart(const PlanarChart& chart, std::span<Vec3> out) const override {
+    of_chart(chart, {}, out);
+  }
   /// Always by rays.
-  void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override;
+  void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override {
+    of_points(points, {}, out);
+  }
+  /// By a set of the samples alone: the mean of many sets, weighted by share, is the irradiance.
+  void of_chart(const PlanarChart& chart, const SampleSet& set, std::span<Vec3> out) const;
+  void of_points(std::span<const SurfacePoint> points, const SampleSet& set,
+                 std::span<Vec3> out) const;
+  /// The points on each light for a chart; those of a curved one have more or fewer, each for
+  /// itself.
+  std::vector<int> sample_counts(const PlanarChart& chart, const SampleSet& set) const;
 
   /// The irradiance of one light, per unit of its emission.
   void unit_irradiances(const PlanarChart& chart, std::size_t light, std::span<float> out) const;

@@ -32,6 +32,12 @@ struct SurfacePoint {
   std::uint32_t instance = 0, triangle = 0;
 };
 
+/// A part of a light's points, jittered independently of sets of other numbers.
+struct SampleSet {
+  float share = 1;  ///< of the points that a receiver has, (0, 1]; at least one is taken
+  std::uint32_t number = 0;
+};
+
 /// Gives the direct irradiance that reaches surfaces, shadowed, W/m² per channel (linear RGB).
 /// Thread-safe.
 class Irradiance {

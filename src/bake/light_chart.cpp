@@ -10,43 +10,12 @@ namespace {
 
 constexpr float reach = 1.5f;  // texels; bilinear filtering needs those next to the border
 
-// Points within the texels, n × n each, row by row of the whole chart.
-struct Samples {
-  PlanarChart grid;
-  std::vector<TexelPlace> places;
-  std::vector<Vec3> values;
-  std::vector<float> alphas;
-};
-
 MeshPoint mesh_point(const TexelPlace& place, bool back) {
   return {place.triangle, place.b1, place.b2, back};
 }
 
-/// Irradiance at the samples; of a flat chart by its registered projection, but for those outside.
-void find_irradiance(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,
-                     Samples& s) {
-  s.values.resize(s.places.size());
-  if (chart.flat) irradiance.of_chart(s.grid, s.values);
-  std::vector<SurfacePoint> points;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < s.places.size(); ++i) {
-    const TexelPlace& place = s.places[i];
-    if (!place.is_used() || (chart.flat && place.is_inside())) continue;
-    points.push_back(surface_point(mesh, mesh_point(place, s.grid.back)));
-    which.push_back(i);
-  }
-  std::vector<Vec3> found(points.size());
-  constexpr std::size_t batch = 16384;
-  for (std::size_t first = 0; first < points.size(); first += batch) {
-    throw_if_cancelled();
-    const std::size_t count = std::min(batch, points.size() - first);
-    irradiance.of_points({points.data() + first, count}, {found.data() + first, count});
-  }
-  for (std::size_t k = 0; k < which.size(); ++k) s.values[which[k]] = found[k];
-}
-
 void compose(const CutChart& chart, const WorldMesh& mesh, const SurfaceLight& surface, bool masked,
-             const LightOptions& options, Samples& s) {
+             const LightOptions& options, ChartSamples& s) {
   const float width = chart.texel_size / static_cast<float>(options.supersample);
   if (masked) s.alphas.resize(s.places.size(), 1.0f);
   for (std::size_t i = 0; i < s.places.size(); ++i) {
@@ -59,7 +28,7 @@ void compose(const CutChart& chart, const WorldMesh& mesh, const SurfaceLight& s
 }
 
 /// The mean of those inside; where none is, of the nearest alone.
-void average(const Samples& s, int n, int x, int y, ChartTexels& out) {
+void average(const ChartSamples& s, int n, int x, int y, ChartTexels& out) {
   Vec3 sum, nearest;
   float alpha = 0, nearest_alpha = 0, count = 0, distance = INFINITY;
   for (int j = y * n; j < (y + 1) * n; ++j)
@@ -78,7 +47,7 @@ void average(const Samples& s, int n, int x, int y, ChartTexels& out) {
   out.is_known.push_back(distance < INFINITY);
 }
 
-ChartTexels averaged(const Samples& s, const PlanarChart& shape, int n) {
+ChartTexels averaged(const ChartSamples& s, const PlanarChart& shape, int n) {
   ChartTexels out;
   for (int y = 0; y < shape.height; ++y)
     for (int x = 0; x < shape.width; ++x) average(s, n, x, y, out);
@@ -146,17 +115,42 @@ bool is_like_vertices(const CutChart& chart, const WorldMesh& mesh, const ChartT
 
 }  // namespace
 
-LitChart light_chart(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,
-                     const SurfaceLight& surface, const LightOptions& options) {
-  Samples s;
+ChartSamples samples_of(const CutChart& chart, const WorldMesh& mesh, int supersample) {
+  ChartSamples s;
   s.grid = chart.shape;
-  s.grid.width *= options.supersample, s.grid.height *= options.supersample;
-  s.places = map_texels(s.grid, mesh, reach * static_cast<float>(options.supersample), chart.apron);
-  find_irradiance(chart, mesh, irradiance, s);
+  s.grid.width *= supersample, s.grid.height *= supersample;
+  s.places = map_texels(s.grid, mesh, reach * static_cast<float>(supersample), chart.apron);
+  return s;
+}
+
+void find_irradiance(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,
+                     ChartSamples& s) {
+  s.values.resize(s.places.size());
+  if (chart.flat) irradiance.of_chart(s.grid, s.values);
+  std::vector<SurfacePoint> points;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < s.places.size(); ++i) {
+    const TexelPlace& place = s.places[i];
+    if (!place.is_used() || (chart.flat && place.is_inside())) continue;
+    points.push_back(surface_point(mesh, mesh_point(place, s.grid.back)));
+    which.push_back(i);
+  }
+  std::vector<Vec3> found(points.size());
+  constexpr std::size_t batch = 16384;
+  for (std::size_t first = 0; first < points.size(); first += batch) {
+    throw_if_cancelled();
+    const std::size_t count = std::min(batch, points.size() - first);
+    irradiance.of_points({points.data() + first, count}, {found.data() + first, count});
+  }
+  for (std::size_t k = 0; k < which.size(); ++k) s.values[which[k]] = found[k];
+}
+
+LitChart compose_chart(const CutChart& chart, const WorldMesh& mesh, ChartSamples& samples,
+                       const SurfaceLight& surface, const LightOptions& options) {
   const bool masked = surface.is_masked(mesh);
-  compose(chart, mesh, surface, masked, options, s);
+  compose(chart, mesh, surface, masked, options, samples);
   LitChart lit;
-  lit.texels = averaged(s, chart.shape, options.supersample);
+  lit.texels = averaged(samples, chart.shape, options.supersample);
   if (!options.vertex_error || masked) return lit;
   lit.vertices = vertex_colors(chart, mesh, lit.texels);
   // A vertex takes eight bytes, a texel three.
@@ -166,6 +160,13 @@ LitChart light_chart(const CutChart& chart, const WorldMesh& mesh, const Irradia
   else
     lit.vertices.clear();
   return lit;
+}
+
+LitChart light_chart(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,
+                     const SurfaceLight& surface, const LightOptions& options) {
+  ChartSamples samples = samples_of(chart, mesh, options.supersample);
+  find_irradiance(chart, mesh, irradiance, samples);
+  return compose_chart(chart, mesh, samples, surface, options);
 }
 
 }  // namespace penumbra::bake

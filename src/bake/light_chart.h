@@ -32,6 +32,22 @@ struct LitChart {
   bool has_texels() const { return !texels.value.empty(); }
 };
 
+/// Points within the texels, n × n each, row by row of the whole chart.
+struct ChartSamples {
+  PlanarChart grid;
+  std::vector<TexelPlace> places;
+  std::vector<Vec3> values;  ///< irradiance, then what texels hold
+  std::vector<float> alphas;
+};
+
+/// The steps of light_chart(). find_irradiance() takes flat charts by their registered projection,
+/// but for the points outside.
+ChartSamples samples_of(const CutChart& chart, const WorldMesh& mesh, int supersample);
+void find_irradiance(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,
+                     ChartSamples& samples);
+LitChart compose_chart(const CutChart& chart, const WorldMesh& mesh, ChartSamples& samples,
+                       const SurfaceLight& surface, const LightOptions& options);
+
 /// Lights one chart. Texels whose centre is outside the chart's triangles take the light of the
 /// nearest point inside, those farther than 1.5 texels none. Thread-safe.
 LitChart light_chart(const CutChart& chart, const WorldMesh& mesh, const Irradiance& irradiance,

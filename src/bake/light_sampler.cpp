@@ -130,9 +130,11 @@ int LightSampler::count(std::size_t index, const ReceiverPatch& receiver) const 
   return static_cast<int>(std::ceil(std::clamp(wanted, 1.0f, float{most})));
 }
 
-std::vector<Vec2> LightSampler::grid(std::size_t light, int count, float aspect) const {
+std::vector<Vec2> LightSampler::grid(std::size_t light, std::uint32_t set, int count,
+                                     float aspect) const {
   // The same for all receivers, so that neighbours that share a plane show no seam.
-  return sample_grid(count, aspect, options_.placement, hash(options_.seed, light));
+  return sample_grid(count, aspect, options_.placement,
+                     hash(options_.seed, light) + 0x9e3779b97f4a7c15u * set);
 }
 
 // Density on the sphere ∝ cos φ + b, φ from the axis towards the receiver, as far as c, the cosine
@@ -197,7 +199,7 @@ void LightSampler::add_mesh(std::size_t index, const ReceiverPatch& receiver, in
   if (faces.empty()) add(true), out.measure = FractionMeasure::count;
   if (faces.empty()) return;
   const float share = areas.back() / static_cast<float>(count);
-  for (const Vec2& p : grid(index, count, static_cast<float>(faces.size()) / 2)) {
+  for (const Vec2& p : grid(index, receiver.set, count, static_cast<float>(faces.size()) / 2)) {
     const float before = p.x * areas.back();
     const auto at = std::upper_bound(areas.begin(), areas.end() - 1, before);
     const auto i = static_cast<std::size_t>(at - areas.begin());
@@ -224,20 +226,21 @@ SampledLight LightSampler::sample(std::size_t index, const ReceiverPatch& receiv
     out.spot_cos_inner = light.spot_cos_inner, out.spot_cos_outer = light.spot_cos_outer;
   }
   if (light.type == LightType::sun) {
-    add_sun(light, grid(index, n, 1), out);
+    add_sun(light, grid(index, receiver.set, n, 1), out);
   } else if (light.type == LightType::mesh) {
     add_mesh(index, receiver, n, out);
   } else if (is_point(light)) {
     out.kind = EmitterKind::point;
     out.samples.push_back({light.position, light.normal, 1});
   } else if (light.type == LightType::sphere) {
-    add_sphere(light, receiver, grid(index, n, 1), out);
+    add_sphere(light, receiver, grid(index, receiver.set, n, 1), out);
   } else if (light.type == LightType::segment) {
-    if (area > 0) add_segment(light, grid(index, n, static_cast<float>(n)), area, out);
+    if (area > 0)
+      add_segment(light, grid(index, receiver.set, n, static_cast<float>(n)), area, out);
   } else if (area > 0) {
     const bool rect = light.type == LightType::rect;
     const float aspect = rect ? length(light.edge_u) / length(light.edge_v) : 1;
-    add_plane(light, grid(index, n, aspect), area, out);
+    add_plane(light, grid(index, receiver.set, n, aspect), area, out);
   }
   if (!all)
     std::erase_if(out.samples, [&](const LightSample& s) {

@@ -59,6 +59,7 @@ struct ReceiverPatch {
   std::array<Vec3, 4> corners;
   Vec3 normal;
   float samples_scale = 1;
+  std::uint32_t set = 0;  ///< samples of different sets are jittered independently
 };
 
 /// Places the samples. All texels of a receiver share them: they are points of the light in the
@@ -82,7 +83,7 @@ class LightSampler {
                   SampledLight& out) const;
   void add_mesh(std::size_t light, const ReceiverPatch& receiver, int count,
                 SampledLight& out) const;
-  std::vector<Vec2> grid(std::size_t light, int count, float aspect) const;
+  std::vector<Vec2> grid(std::size_t light, std::uint32_t set, int count, float aspect) const;
 
   const LightViews& lights_;
   const BakeOptions& options_;

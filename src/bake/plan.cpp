@@ -15,8 +15,9 @@ namespace {
 
 constexpr double default_texels = 1 << 22;
 // A texel kept: value and two marks; in the page that is filled: colour, alpha, mark, code; of a
-// chart at work: value, place and a point for rays, for each thread and sample.
-constexpr double kept_bytes = 14, page_bytes = 24, work_bytes = 80;
+// chart at work: value, place and a point for rays, for each thread and sample; between passes: two
+// sums and a place, for each sample.
+constexpr double kept_bytes = 14, page_bytes = 24, work_bytes = 80, pass_bytes = 44;
 
 float default_texel_size(const Plan& plan) {
   double area = 0;
@@ -29,7 +30,7 @@ float default_texel_size(const Plan& plan) {
 }
 
 /// With texels `coarser` times as large.
-double needed_bytes(const Plan& plan, int supersample, double coarser) {
+double needed_bytes(const Plan& plan, const TextureOptions& options, double coarser) {
   double texels = 0, largest = 0;
   for (const CutChart& chart : plan.charts) {
     const auto side = [&](const Vec3& edge) {
@@ -40,17 +41,18 @@ double needed_bytes(const Plan& plan, int supersample, double coarser) {
     texels += n, largest = std::max(largest, n);
   }
   const double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
-  return kept_bytes * texels + page_bytes * page +
-         work_bytes * supersample * supersample * std::min(largest * thread_count(), texels);
+  const double at_work = std::min(largest * thread_count(), texels);
+  const double samples = options.supersample * options.supersample;
+  return kept_bytes * texels + page_bytes * page + work_bytes * samples * at_work +
+         (options.in_passes ? pass_bytes * samples * texels : 0);
 }
 
 void check_memory(const Plan& plan, const TextureOptions& options) {
   const auto most = static_cast<double>(options.most_bytes);
-  const double needed = needed_bytes(plan, options.supersample, 1);
+  const double needed = needed_bytes(plan, options, 1);
   if (most == 0 || needed <= most) return;
   double coarser = 1;
-  while (needed_bytes(plan, options.supersample, coarser) > 0.95 * most && coarser < 1e6)
-    coarser *= 1.05;
+  while (needed_bytes(plan, options, coarser) > 0.95 * most && coarser < 1e6) coarser *= 1.05;
   throw InputError(
       fmt::format("--texel-size: texels of {:.3g} m need {:.0f} MB of memory and {:.0f} MB may be "
                   "taken",

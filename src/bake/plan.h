@@ -14,6 +14,7 @@ struct TextureOptions {
   bool power_of_two = false;           ///< sides of atlas pages
   int supersample = 1;                 ///< points along each side of a texel, 1 to 8
   std::vector<std::string> receivers;  ///< objects by name; empty: those that say so
+  bool in_passes = false;              ///< sums stay in memory between passes
   std::uint64_t most_bytes = 0;        ///< of memory for texels; 0: no limit
 };
 

@@ -198,6 +198,17 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
                  "--device: 'gpu' is unknown; did you mean cpu? There are auto, cpu, gl or rays");
   expect_refused(bake({"--lightmap", "--hdr"}, folder / "b.glb"), 2,
                  "--hdr: a lightmap always has its EXR beside it; leave --hdr out");
+  expect_refused(bake({"--error", "0.01", "--light-samples", "16"}, folder / "b.glb"), 2,
+                 "--error: no chart is done before 16 points on each light; give more "
+                 "--light-samples");
+  expect_refused(bake({"--error", "0.01", "--sample-grid", "regular"}, folder / "b.glb"), 2,
+                 "--sample-grid: passes need points that differ, and these lie the same in all; "
+                 "leave it out, or --error and --time-limit");
+  for (const char* seconds : {"0", "-1", "soon"}) {
+    const Outcome wrong = bake({"--time-limit", seconds}, folder / "b.glb");
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, ::testing::StartsWith("penumbra: --time-limit: "));
+  }
   const Outcome tight =
       bake({"--texel-size", "0.001", "--max-memory", "40", "-q"}, folder / "b.glb");
   EXPECT_EQ(tight.status, 2);
@@ -206,6 +217,38 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
                              "and 40 MB may be taken; give --texel-size [0-9.]+, or more by "
                              "--max-memory\n"));
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(BakeCommandTest, ATimeLimitLeavesAFileWithTheTrueMeanSoFar) {
+  const auto mean = [&](const char* file) {
+    const Image& red = read_exr(folder / file).channels.at("R");
+    double sum = 0;
+    for (const float v : red.data) sum += static_cast<double>(v);
+    return sum / static_cast<double>(red.data.size());
+  };
+  const std::vector<std::string> lightmap{"--texel-size", "0.02", "--lightmap"};
+  ASSERT_EQ(bake(lightmap, folder / "whole.glb").status, 0);
+  std::vector<std::string> limited = lightmap;
+  for (const char* word : {"--time-limit", "0.1", "--light-samples", "50000"})
+    limited.emplace_back(word);
+  const Outcome outcome = bake(limited, folder / "limited.glb");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, ::testing::ContainsRegex("\n[0-9.]+ points a light on average\n"));
+  EXPECT_NEAR(mean("limited.exr"), mean("whole.exr"), 0.2 * mean("whole.exr"));
+  EXPECT_EQ(render(folder / "limited.glb", folder / "l.png", "none").status, 0);
+}
+
+TEST_F(BakeCommandTest, AnErrorEndsEachChartEarly) {
+  const std::vector<std::string> words{"--texel-size",    "0.05", "--error", "0.02",
+                                       "--light-samples", "4096", "--stats", folder / "s.json"};
+  const Outcome outcome = bake(words, folder / "b.glb");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string stats = read_file(folder / "s.json");
+  const std::size_t at = stats.find("\"points_per_light\"");
+  ASSERT_NE(at, std::string::npos);
+  const double points = std::stod(stats.substr(stats.find(':', at) + 1));
+  EXPECT_GE(points, 16);
+  EXPECT_LT(points, 1024);
 }
 
 TEST_F(BakeCommandTest, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
