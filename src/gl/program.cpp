@@ -33,9 +33,25 @@ unsigned compiled(unsigned type, const char* text) {
   throw CompileError(log);
 }
 
+void begin(Combine combine) {
+  if (combine == Combine::add) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+  }
+  if (combine == Combine::set_bits) {
+    glEnable(GL_COLOR_LOGIC_OP);
+    glLogicOp(GL_OR);
+  }
+}
+
+void end(Combine combine) {
+  if (combine == Combine::add) glDisable(GL_BLEND);
+  if (combine == Combine::set_bits) glDisable(GL_COLOR_LOGIC_OP);
+}
+
 }  // namespace
 
-// In the fragment shader's version.
+// The vertex shader is of the fragment shader's version.
 Program::Program(const std::string& fragment)
     : Program(fragment.substr(0, fragment.find('\n')) + kVertex, fragment) {}
 
@@ -81,11 +97,13 @@ void Program::set_vec4s(const char* name, std::span<const float> values) {
   glUniform4fv(location(name), static_cast<int>(values.size() / 4), values.data());
 }
 
-void Program::draw(int width, int height) {
+void Program::draw(int width, int height, Combine combine) {
   glUseProgram(program_);
   glBindVertexArray(vertices_);
   glViewport(0, 0, width, height);
+  begin(combine);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  end(combine);
   glFinish();
 }
 
@@ -106,12 +124,9 @@ void Program::draw_triangles(const Buffer& vertices, std::span<const int> attrib
     offset += static_cast<std::size_t>(attributes[i]);
   }
   glViewport(0, 0, width, height);
-  if (combine == Combine::set_bits) {
-    glEnable(GL_COLOR_LOGIC_OP);
-    glLogicOp(GL_OR);
-  }
+  begin(combine);
   glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * count, instances);
-  glDisable(GL_COLOR_LOGIC_OP);
+  end(combine);
 }
 
 }  // namespace penumbra::gl

@@ -24,7 +24,7 @@ class CompileError : public std::runtime_error {
 };
 
 /// How a program's output meets what the target holds.
-enum class Combine { replace, set_bits };
+enum class Combine { replace, add, set_bits };
 
 /// A program of one fragment shader; needs the Context that it was made under.
 class Program {
@@ -47,7 +47,7 @@ class Program {
 
   /// Runs it for every pixel of the current Target's lower left width × height and waits until that
   /// is done.
-  void draw(int width, int height);
+  void draw(int width, int height, Combine combine = Combine::replace);
   /// Draws triangles into the current target's lower left width × height, `instances` times. A
   /// vertex is `attributes[i]` floats for location i, one after the other. Profile::core.
   void draw_triangles(const Buffer& vertices, std::span<const int> attributes, int count,

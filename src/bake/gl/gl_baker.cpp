@@ -2,19 +2,31 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "bake/gl/pass_drawer.h"
 #include "bake/tiles.h"
 #include "base/cancel.h"
+#include "base/error.h"
 #include "gl/thread.h"
 
 namespace penumbra::bake {
+namespace {
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
 
 /// The thread that draws, and what it draws with.
 class GlBaker::Drawing {
  public:
   Drawing() : thread_(gl::Profile::core) {
-    thread_.run([this] { drawer_.emplace(); });
+    try {
+      thread_.run([this] { drawer_.emplace(); });
+    } catch (const gl::CompileError& error) {
+      throw WorkError("the OpenGL driver refuses a shader: " + first_line(error.what()),
+                      "use another driver, or --device cpu");
+    }
   }
   ~Drawing() {
     thread_.run([this] { drawer_.reset(); });

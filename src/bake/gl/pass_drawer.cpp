@@ -92,13 +92,15 @@ std::vector<float> PassDrawer::draw(const SamplePass& pass) {
   grow(pass.width, pass.height);
   for (std::size_t i = 0; i < pass.words.size(); ++i) draw_word(pass, static_cast<int>(i));
   bits_->bind(hidden_unit);
-  write_block(uniforms_, pass.weights, samples_a_pass);
   gl::Program& program = weights(pass.falloff);
   program.set("hidden", hidden_unit);
-  program.set("count", static_cast<int>(pass.weights.size()));
   set(program, "step_x", pass.step_x), set(program, "step_y", pass.step_y);
   sums_->use();
-  program.draw(pass.width, pass.height);
+  for (std::size_t i = 0; i < pass.words.size(); ++i) {
+    write_block(uniforms_, pass.words[i].weights, samples_a_word);
+    program.set("layer", static_cast<int>(i));
+    program.draw(pass.width, pass.height, i == 0 ? gl::Combine::replace : gl::Combine::add);
+  }
   return sums_->read(0, pass.width, pass.height);
 }
 

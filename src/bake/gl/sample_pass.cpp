@@ -125,7 +125,7 @@ SamplePass prepare_pass(const Occluders& occluders, const Tile& tile, const OwnT
     for (const LightSample& sample : some) {
       const TexelWeights weights = weights_of(tile, light, sample, quantity);
       pass.falloff = weights.falloff;
-      pass.weights.push_back(gl_weight(weights));
+      word.weights.push_back(gl_weight(weights));
     }
   }
   return pass;

@@ -22,7 +22,7 @@ struct GlView {
   std::uint32_t bit[4];
 };
 
-/// The uniform block Weights of weights.frag.glsl holds 256 of these.
+/// The uniform block Weights of weights.frag.glsl holds 32 of these.
 struct GlWeight {
   float first[3], scale;
   float normal[3], k;
@@ -30,6 +30,7 @@ struct GlWeight {
 
 /// What may hide up to 32 neighbouring samples.
 struct WordPass {
+  std::vector<GlWeight> weights;     ///< of each sample
   std::vector<GlView> views;         ///< of those above the receiver
   std::vector<Vec3> triangles;       ///< corners, world frame, above the receiver
   std::vector<float> spheres;        ///< boxes of 12 triangles: corner, centre, radius
@@ -42,7 +43,6 @@ struct SamplePass {
   Vec3 origin, step_x, step_y;  ///< of the tile
   int width = 0, height = 0;
   Falloff falloff = Falloff::constant;
-  std::vector<GlWeight> weights;  ///< of each sample
   std::vector<WordPass> words;
 };
 
