@@ -220,8 +220,9 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
 }
 
 TEST_F(BakeCommandTest, ATimeLimitLeavesAFileWithTheTrueMeanSoFar) {
-  const auto mean = [&](const char* file) {
-    const Image& red = read_exr(folder / file).channels.at("R");
+  const auto mean = [&](const char* name) {
+    const ExrFile file = read_exr(folder / name);
+    const Image& red = file.channels.at("R");
     double sum = 0;
     for (const float v : red.data) sum += static_cast<double>(v);
     return sum / static_cast<double>(red.data.size());
