@@ -163,7 +163,8 @@ void MeshTexels::write_mesh(const TriangleTree& tree, const Mesh& mesh, bool tur
                             GridRecord& r) {
   std::vector<float> boxes, triangles;
   tree.write_texels(boxes, triangles);
-  r[5] = append(boxes), r[6] = static_cast<float>(boxes.size() / 8);
+  const std::size_t box_count = boxes.size() / 8;
+  r[5] = append(boxes), r[6] = static_cast<float>(box_count);
   r[7] = append(triangles);
   r[12] = append(corners_of(mesh, turned_round)), r[13] = append(vertices_of(mesh));
   r[14] = mesh.uv[0].empty() && mesh.uv[1].empty() ? 1.0f : 2.0f;
@@ -227,7 +228,8 @@ void MeshTexels::add_triangles(const Scene& scene, std::size_t number) {
 }
 
 int MeshTexels::finish() {
-  std::vector<float> all{static_cast<float>(records_.size() / (14 * 4)), 0, 0, 0};
+  const std::size_t count = records_.size() / std::size_t{14 * 4};
+  std::vector<float> all{static_cast<float>(count), 0, 0, 0};
   all.insert(all.end(), records_.begin(), records_.end());
   return static_cast<int>(append(all));
 }
