@@ -185,7 +185,7 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
       [&](auto& t) { shadows.tolerance = parse_number("--tolerance", t, 0, 1); },
       "parker: allowed change of the visible fraction, 0 = exact");
   add(
-      "--texel-size", "METRES", "2 million texels",
+      "--texel-size", "METRES", "4 million texels",
       [&](auto& t) { a.bake.textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
       "heckbert-herf: side of a texel of what is baked first");
   add(
