@@ -82,29 +82,39 @@ void start_later(const sdf::Field& field, std::span<sdf::MarchRay> rays) {
   for (std::size_t i = 0; i < count * rays_of_cone; ++i) rays[i].t_min = ways[i / rays_of_cone];
 }
 
-}  // namespace
-
-std::uint64_t World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+/// Marches rays to limit(i), calls met(i, t) for those that meet something, in order, and returns
+/// how many ran out of steps.
+template <class Limit, class Met>
+std::uint64_t march_all(const sdf::Field& field, const Bounds& extent, std::span<const Ray> rays,
+                        const Limit& limit, const Met& met) {
   std::array<sdf::MarchRay, rays_at_once> marches;
   std::array<sdf::MarchHit, rays_at_once> found;
-  const auto fields = static_cast<std::uint32_t>(scene_.instances.size() + scene_.spheres.size());
   std::uint64_t lost = 0;
   for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
     const std::size_t count = std::min(rays_at_once, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
       const Ray& ray = rays[first + i];
-      const auto& known = hits[first + i];
-      marches[i] =
-          march_ray(*solids_, extent_, ray.origin, ray.direction, known ? known->t : ray.t_max);
+      marches[i] = march_ray(field, extent, ray.origin, ray.direction, limit(first + i));
     }
-    start_later(*solids_, std::span(marches.data(), count));
-    sdf::trace(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
+    start_later(field, std::span(marches.data(), count));
+    sdf::trace(field, std::span(marches.data(), count), std::span(found.data(), count),
                {most_steps});
     for (std::size_t i = 0; i < count; ++i)
-      if (found[i].hit) hits[first + i] = Hit{found[i].t, 0, 0, {fields, 0}};
+      if (found[i].hit) met(first + i, found[i].t);
     lost += count_lost({found.data(), count});
   }
   return lost;
+}
+
+}  // namespace
+
+std::uint64_t World::march(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+  const auto fields = static_cast<std::uint32_t>(scene_.instances.size() + scene_.spheres.size());
+  return march_all(
+      *solids_, extent_, rays, [&](std::size_t i) { return hits[i] ? hits[i]->t : rays[i].t_max; },
+      [&](std::size_t i, float t) {
+        hits[i] = Hit{t, 0, 0, {fields, 0}};
+      });
 }
 
 void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
@@ -134,28 +144,14 @@ void World::solid_surfaces(std::span<const Ray> rays, std::span<const Hit> hits,
 }
 
 std::uint64_t World::meet_solids(std::span<const Ray> rays, SolidHits& hits) const {
-  std::array<sdf::MarchRay, rays_at_once> marches;
-  std::array<sdf::MarchHit, rays_at_once> found;
   thread_local std::vector<sdf::MeetingPoint> met;
-  std::uint64_t lost = 0;
   hits.ray.clear(), met.clear();
-  for (std::size_t first = 0; first < rays.size(); first += rays_at_once) {
-    const std::size_t count = std::min(rays_at_once, rays.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Ray& ray = rays[first + i];
-      marches[i] = march_ray(*solids_, extent_, ray.origin, ray.direction, ray.t_max);
-    }
-    start_later(*solids_, std::span(marches.data(), count));
-    sdf::trace(*solids_, std::span(marches.data(), count), std::span(found.data(), count),
-               {most_steps});
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!found[i].hit) continue;
-      const Ray& ray = rays[first + i];
-      hits.ray.push_back(static_cast<std::uint32_t>(first + i));
-      met.push_back({ray.origin + ray.direction * found[i].t, ray.direction});
-    }
-    lost += count_lost({found.data(), count});
-  }
+  const std::uint64_t lost = march_all(
+      *solids_, extent_, rays, [&](std::size_t i) { return rays[i].t_max; },
+      [&](std::size_t i, float t) {
+        hits.ray.push_back(static_cast<std::uint32_t>(i));
+        met.push_back({rays[i].origin + rays[i].direction * t, rays[i].direction});
+      });
   hits.position.resize(met.size()), hits.normal.resize(met.size()), hits.owner.resize(met.size());
   sdf::surfaces(*solids_, met, point_error(), hits.position, hits.normal);
   solids_->owners(hits.position, hits.owner);

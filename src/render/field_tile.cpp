@@ -72,9 +72,7 @@ void FieldTiles::set_color(const World& world, const SolidHits& hits, std::size_
 
 void FieldTiles::add_light(const RenderSetup& setup, std::size_t light, Points& p,
                            ShadowCounts& counts) const {
-  const ShadowKind kind = setup.shadows.options().kind;
-  const Horizon horizon =
-      kind == ShadowKind::hard || kind == ShadowKind::parker ? Horizon::centre : Horizon::exact;
+  const Horizon horizon = horizon_of(setup.shadows);
   p.lit.clear(), p.irradiance.clear(), p.asked.clear();
   for (std::size_t i = 0; i < p.receivers.size(); ++i) {
     if (!(max_component(p.colors[i].diffuse) > 0)) continue;

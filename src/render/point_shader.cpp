@@ -3,15 +3,11 @@
 #include <numbers>
 
 namespace penumbra {
-namespace {
 
-/// Methods that look at the light's centre treat the horizon by its centre too.
 Horizon horizon_of(const Shadows& shadows) {
   const ShadowKind kind = shadows.options().kind;
   return kind == ShadowKind::hard || kind == ShadowKind::parker ? Horizon::centre : Horizon::exact;
 }
-
-}  // namespace
 
 void PointShader::find_unshadowed(const DirectLight& lights, std::size_t light, Horizon horizon,
                                   bool ask_all, std::span<const TilePoint> points) {

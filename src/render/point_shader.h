@@ -10,6 +10,9 @@
 
 namespace penumbra {
 
+/// Methods that look at the light's centre treat the horizon by its centre too.
+Horizon horizon_of(const Shadows& shadows);
+
 /// Told of each light's arrivals at the points, in order of lights.
 class ArrivalObserver {
  public:
