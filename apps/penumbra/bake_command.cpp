@@ -54,6 +54,11 @@ void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& conso
         fmt::format("base-colour textures are finer than the texels and look blurred: {}; "
                     "a smaller --texel-size or --lightmap keeps them",
                     names(plan.remarks.blurred)));
+  if (!plan.remarks.squeezed.empty())
+    console.warn(
+        fmt::format("some triangles have no area in the texture layout, and no shadows of "
+                    "their own: {}",
+                    names(plan.remarks.squeezed)));
   std::vector<std::string> shiny;
   for (const Instance& instance : scene.instances) {
     const Material& m = scene.materials[instance.material];

@@ -12,6 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kDevices{"auto", "cpu", "gl", "rays"};
 // In the order of SamplePlacement.
 constexpr std::array<std::string_view, 3> kSampleGrids{"jittered", "regular", "low-discrepancy"};
+constexpr std::array<std::string_view, 2> kLayouts{"unwrap", "existing"};
 
 bake::BakeDevice read_device(const std::string& text) {
   return static_cast<bake::BakeDevice>(parse_choice("--device", text, kDevices));
@@ -59,6 +60,10 @@ void add_texture_options(CLI::App& command, Arguments& a) {
       "--texel-size", "METRES", "4 million texels",
       [&](auto& t) { textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
       "side of a texel; finer where a base-colour texture is");
+  add(
+      "--uv", "NAME", "unwrap",
+      [&](auto& t) { textures.existing_uv = parse_choice("--uv", t, kLayouts) == 1; },
+      "unwrap, or existing: a texture an object, laid out by its TEXCOORD_1, else TEXCOORD_0");
   add(
       "--supersample", "N", "1",
       [&](auto& t) {

@@ -145,7 +145,7 @@ class Bake {
     light.exposure_ev = input_.exposure_ev;
     if (output_ == Output::lightmap)
       light.quantity = Quantity::irradiance;
-    else
+    else if (!plan_.placed)
       light.vertex_error = vertex_error;
     return light;
   }
@@ -163,7 +163,7 @@ class Bake {
         stats.saved_texels += texels_of(plan_.charts[i]);
       }
     }
-    placed_ = place_charts(charts, options_.power_of_two);
+    placed_ = plan_.placed ? *plan_.placed : place_charts(charts, options_.power_of_two);
     stats.charts = lit_.size();
     stats.pages = placed_.pages.size();
   }

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/vec.h"
 
 namespace penumbra::bake {
+
+/// The part of a mesh's own texture coordinates that a chart's texels show: texel (i, j) is centred
+/// at corner + ((i + ½) / width · size.x, (j + ½) / height · size.y).
+struct UvWindow {
+  int set = 0;  ///< TEXCOORD_0 or 1
+  Vec2 corner, size;
+  Vec2 tile;  ///< whole numbers: (0, 0) of the page
+};
 
 /// A planar chart: connected coplanar triangles of one instance, seen from one side, and the
 /// parallelogram fitted round them (Heckbert and Herf 1997, section 3.2). World frame, metres.
@@ -20,6 +29,7 @@ struct PlanarChart {
   Vec3 base, edge_x, edge_y;
   Vec3 normal;  ///< unit, of the side that is lit
   int width = 0, height = 0;
+  std::optional<UvWindow> uv;  ///< laid out by the mesh; none: as seen along the normal
 
   Vec3 texel(float i, float j) const;  ///< centre of texel (i, j)
 };

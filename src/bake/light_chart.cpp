@@ -44,7 +44,7 @@ void average(const ChartSamples& s, int n, int x, int y, ChartTexels& out) {
   const bool inside = count > 0;
   out.value.push_back(inside ? sum / count : nearest);
   if (!s.alphas.empty()) out.alpha.push_back(inside ? alpha / count : nearest_alpha);
-  out.is_known.push_back(distance < INFINITY);
+  out.is_known.push_back(inside ? 2 : distance < INFINITY ? 1 : 0);
 }
 
 ChartTexels averaged(const ChartSamples& s, const PlanarChart& shape, int n) {
@@ -82,8 +82,7 @@ std::vector<VertexColor> vertex_colors(const CutChart& chart, const WorldMesh& m
   std::ranges::sort(colors, {}, &VertexColor::vertex);
   const auto [first, last] = std::ranges::unique(colors, {}, &VertexColor::vertex);
   colors.erase(first, last);
-  for (VertexColor& c : colors)
-    c.color = sample(texels, chart.shape, frame.texels(mesh.positions()[c.vertex]));
+  for (VertexColor& c : colors) c.color = sample(texels, chart.shape, frame.texels(mesh, c.vertex));
   return colors;
 }
 
