@@ -56,6 +56,10 @@ class Irradiance {
   /// At every texel of the chart, also those outside its triangles: out has width · height.
   virtual void of_chart(const PlanarChart& chart, std::span<Vec3> out) const = 0;
   virtual void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const = 0;
+  /// Of a curved chart: points[k] lies over texels[k] of a plane through it, seen along the plane's
+  /// normal; the plane's triangles are those of the whole surface. By default as of_points().
+  virtual void of_curved(const PlanarChart& plane, std::span<const SurfacePoint> points,
+                         std::span<const std::size_t> texels, std::span<Vec3> out) const;
 };
 
 }  // namespace penumbra::bake

@@ -31,7 +31,7 @@ struct ChartOptions {
 struct ChartRemarks {
   std::vector<std::string> coarse;    ///< names of objects whose charts met most_texels
   std::vector<std::string> blurred;   ///< whose base-colour texture is finer than the texels
-  std::vector<std::string> squeezed;  ///< whose layout leaves some triangles no texels
+  std::vector<std::string> squeezed;  ///< whose layout leaves some triangles no texels of their own
 };
 
 /// The side of the base-colour texture's texels on these triangles, metres; none: no texture.

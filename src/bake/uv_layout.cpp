@@ -17,6 +17,7 @@ namespace {
 
 constexpr float beyond = 1e-4f;             // of [0, 1], by rounding
 constexpr float least_texels = 1.0f / 256;  // in a layout, of what is a texel or more in the world
+constexpr double most_contested = 0.002;    // of a mesh's texels
 constexpr float most_flat = 0.01f;          // of a mesh, without area in its layout
 constexpr float affine_error = 1.0f / 64;   // texels
 constexpr int most_flat_charts = 64;        // of a plane, laid out in as many ways
@@ -77,15 +78,14 @@ class Layout {
       sheet.set = set_of(sheet);
       find_tile(sheet);
       size(sheet);
-      const std::vector<LaidTriangle> laid = check_triangles(sheet);
-      if (!find_overlap(laid, true)) {
+      if (is_shared_well(sheet)) {
         all.push_back(sheet);
         continue;
       }
       for (const std::uint32_t i : sheet.instances) {
         Sheet alone{{i}, sheet.set, sheet.tile, {}, 0};
         size(alone);
-        check_triangles(alone);
+        check_mesh(alone, i, nullptr);
         all.push_back(alone);
       }
     }
@@ -188,36 +188,53 @@ class Layout {
             at.y * static_cast<float>(sheet.page.height)};
   }
 
-  std::vector<LaidTriangle> check_triangles(const Sheet& sheet) {
-    std::vector<LaidTriangle> all;
-    for (const std::uint32_t i : sheet.instances) {
-      const WorldMesh& mesh = *plan_.meshes[i];
-      std::vector<LaidTriangle> laid(mesh.triangle_count());
-      std::size_t flat = 0;
-      float flat_area = 0, area = 0;
-      for (std::uint32_t t = 0; t < laid.size(); ++t) {
-        for (int k = 0; k < 3; ++k) laid[t].corner[k] = texels(sheet, i, t, k);
-        laid[t].group = i;
-        const auto& [a, b, c] = laid[t].corner;
-        area += mesh.area(t);
-        if (mesh.area(t) < sheet.texel_size * sheet.texel_size ||
-            std::abs(cross(b - a, c - a)) >= 2 * least_texels)
-          continue;
-        ++flat, flat_area += mesh.area(t);
-      }
-      if (flat > 0) remark(plan_.remarks.squeezed, sheet);
-      if (flat_area > most_flat * area)
-        refuse(sheet, fmt::format("has {} of {} triangles without area in TEXCOORD_{}", flat,
-                                  laid.size(), sheet.set));
-      if (const auto found = find_overlap(laid, false)) {
-        const Vec2 at = uv(sheet, i, static_cast<std::uint32_t>(found->b), 0);
-        refuse(sheet, fmt::format("overlaps itself in TEXCOORD_{}: triangles {} and {}, near "
-                                  "({:.4g}, {:.4g})",
-                                  sheet.set, found->a, found->b, at.x, at.y));
-      }
-      all.insert(all.end(), laid.begin(), laid.end());
+  /// Checks the meshes each; true if they do not claim one another's texels.
+  bool is_shared_well(const Sheet& sheet) {
+    ClaimedTexels all(sheet.page.width, sheet.page.height);
+    std::size_t alone = 0;
+    for (const std::uint32_t i : sheet.instances) alone += check_mesh(sheet, i, &all);
+    const UvOverlap& found = all.overlap();
+    return static_cast<double>(found.contested - alone) <=
+           most_contested * static_cast<double>(found.covered);
+  }
+
+  /// The texels that it claims twice, which are few.
+  std::size_t check_mesh(const Sheet& sheet, std::uint32_t instance, ClaimedTexels* all) {
+    const WorldMesh& mesh = *plan_.meshes[instance];
+    std::vector<LaidTriangle> laid(mesh.triangle_count());
+    std::size_t flat = 0;
+    float flat_area = 0, area = 0;
+    for (std::uint32_t t = 0; t < laid.size(); ++t) {
+      for (int k = 0; k < 3; ++k) laid[t].corner[k] = texels(sheet, instance, t, k);
+      const auto& [a, b, c] = laid[t].corner;
+      area += mesh.area(t);
+      if (mesh.area(t) < sheet.texel_size * sheet.texel_size ||
+          std::abs(cross(b - a, c - a)) >= 2 * least_texels)
+        continue;
+      ++flat, flat_area += mesh.area(t);
     }
-    return all;
+    if (flat_area > most_flat * area)
+      refuse(sheet, fmt::format("has {} of {} triangles without area in TEXCOORD_{}", flat,
+                                laid.size(), sheet.set));
+    ClaimedTexels own(sheet.page.width, sheet.page.height);
+    own.add(laid);
+    if (all) all->add(laid);
+    const UvOverlap& found = own.overlap();
+    if (static_cast<double>(found.contested) > most_contested * static_cast<double>(found.covered))
+      refuse_overlap(sheet, instance, found);
+    if (flat > 0 || found.contested > 0) remark(plan_.remarks.squeezed, sheet);
+    return found.contested;
+  }
+
+  [[noreturn]] void refuse_overlap(const Sheet& sheet, std::uint32_t instance,
+                                   const UvOverlap& found) const {
+    const Vec2 at = uv(sheet, instance, static_cast<std::uint32_t>(found.b), 0);
+    refuse(sheet, fmt::format("overlaps itself in TEXCOORD_{} on {:.3g} % of its texels: triangles "
+                              "{} and {}, near ({:.4g}, {:.4g})",
+                              sheet.set,
+                              100.0 * static_cast<double>(found.contested) /
+                                  static_cast<double>(found.covered),
+                              found.a, found.b, at.x, at.y));
   }
 
   void add_page(const Sheet& sheet, bool back) {

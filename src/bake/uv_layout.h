@@ -13,7 +13,7 @@ namespace penumbra::bake {
 /// Flat parts whose layout is an affine image of the surface become flat charts.
 ///
 /// Throws InputError, naming the object, for coordinates that are missing, beyond [0, 1], without
-/// area, or that overlap within a mesh.
+/// area, or that overlap within a mesh on more than 0.2 % of its texels.
 void lay_out_by_uv(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,
                    const ChartOptions& options, bool power_of_two, Plan& plan);
 

@@ -2,108 +2,71 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace penumbra::bake {
 namespace {
 
-constexpr float tolerance = 1.0f / 64;  // texels
+constexpr float clear = 1.0f / 64;  // texels
+constexpr std::uint32_t several = 1u << 31;
 
-struct Box {
-  Vec2 lo{INFINITY, INFINITY}, hi{-INFINITY, -INFINITY};
+/// The inner side of a triangle's edge: distance(p) is in texels.
+struct Side {
+  Vec2 normal;
+  float offset = 0;
 
-  void grow(const Vec2& p) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
+  float distance(const Vec2& p) const { return normal.x * p.x + normal.y * p.y - offset; }
 };
 
-Box box_of(const LaidTriangle& t) {
-  Box box;
-  for (const Vec2& p : t.corner) box.grow(p);
-  return box;
-}
-
-struct Range {
-  float lo = INFINITY, hi = -INFINITY;
-};
-
-Range along(const LaidTriangle& t, const Vec2& axis) {
-  Range range;
-  for (const Vec2& p : t.corner) {
-    const float x = p.x * axis.x + p.y * axis.y;
-    range = {std::min(range.lo, x), std::max(range.hi, x)};
-  }
-  return range;
-}
-
-/// True if a line along one of a's edges parts them.
-bool is_parted(const LaidTriangle& a, const LaidTriangle& b) {
+/// False for a triangle without area.
+bool sides_of(const LaidTriangle& t, Side (&sides)[3]) {
+  const auto& [a, b, c] = t.corner;
+  const float doubled = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const float turn = doubled < 0 ? -1.0f : 1.0f;
   for (int k = 0; k < 3; ++k) {
-    const Vec2 &p = a.corner[k], &q = a.corner[(k + 1) % 3];
+    const Vec2 &p = t.corner[k], &q = t.corner[(k + 1) % 3];
     const float size = std::hypot(q.x - p.x, q.y - p.y);
-    if (!(size > 0)) continue;
-    const Vec2 normal{(p.y - q.y) / size, (q.x - p.x) / size};
-    const Range of_a = along(a, normal), of_b = along(b, normal);
-    if (std::min(of_a.hi, of_b.hi) - std::max(of_a.lo, of_b.lo) <= tolerance) return true;
+    if (!(size > 0)) return false;
+    sides[k].normal = {turn * (p.y - q.y) / size, turn * (q.x - p.x) / size};
+    sides[k].offset = sides[k].normal.x * p.x + sides[k].normal.y * p.y;
   }
-  return false;
+  return doubled != 0;
 }
-
-bool overlap(const LaidTriangle& a, const LaidTriangle& b) {
-  return !is_parted(a, b) && !is_parted(b, a);
-}
-
-/// Triangles by the cells of a grid that their boxes touch.
-class Grid {
- public:
-  explicit Grid(std::span<const LaidTriangle> triangles) {
-    for (const LaidTriangle& t : triangles)
-      for (const Vec2& p : t.corner) bounds_.grow(p);
-    side_ = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(triangles.size()))), 1, 1024);
-    cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
-  }
-
-  template <class Visit>
-  void for_cells(const LaidTriangle& t, const Visit& visit) {
-    const Box box = box_of(t);
-    const int x1 = cell(box.hi.x, bounds_.lo.x, bounds_.hi.x);
-    const int y1 = cell(box.hi.y, bounds_.lo.y, bounds_.hi.y);
-    for (int y = cell(box.lo.y, bounds_.lo.y, bounds_.hi.y); y <= y1; ++y)
-      for (int x = cell(box.lo.x, bounds_.lo.x, bounds_.hi.x); x <= x1; ++x)
-        visit(cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) +
-                     static_cast<std::size_t>(x)]);
-  }
-
- private:
-  int cell(float v, float lo, float hi) const {
-    if (!(hi > lo)) return 0;
-    return std::clamp(static_cast<int>((v - lo) / (hi - lo) * static_cast<float>(side_)), 0,
-                      side_ - 1);
-  }
-
-  Box bounds_;
-  int side_ = 1;
-  std::vector<std::vector<std::size_t>> cells_;
-};
 
 }  // namespace
 
-std::optional<UvOverlap> find_overlap(std::span<const LaidTriangle> triangles, bool across) {
-  if (triangles.empty()) return {};
-  Grid grid(triangles);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    std::optional<UvOverlap> found;
-    grid.for_cells(triangles[i], [&](std::vector<std::size_t>& cell) {
-      for (const std::size_t other : cell) {
-        if (found || (across && triangles[other].group == triangles[i].group)) continue;
-        if (overlap(triangles[other], triangles[i])) found = UvOverlap{other, i};
+ClaimedTexels::ClaimedTexels(int width, int height)
+    : width_(width),
+      height_(height),
+      owner_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+void ClaimedTexels::add(std::span<const LaidTriangle> triangles) {
+  for (const LaidTriangle& t : triangles) {
+    const std::size_t number = count_++;
+    Side sides[3];
+    if (!sides_of(t, sides)) continue;
+    const auto [x0, x1] = std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x});
+    const auto [y0, y1] = std::minmax({t.corner[0].y, t.corner[1].y, t.corner[2].y});
+    const auto first = [](float v) { return std::max(0, static_cast<int>(std::ceil(v - 0.5f))); };
+    const auto last = [](float v, int n) {
+      return std::min(n - 1, static_cast<int>(std::floor(v - 0.5f)));
+    };
+    for (int y = first(y0); y <= last(y1, height_); ++y)
+      for (int x = first(x0); x <= last(x1, width_); ++x) {
+        const Vec2 p{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+        if (std::ranges::any_of(sides, [&](const Side& s) { return s.distance(p) < clear; }))
+          continue;
+        std::uint32_t& owner =
+            owner_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(x)];
+        if (owner == 0) {
+          owner = static_cast<std::uint32_t>(number + 1);
+          ++overlap_.covered;
+        } else if ((owner & several) == 0) {
+          if (overlap_.contested++ == 0) overlap_.a = owner - 1, overlap_.b = number;
+          owner |= several;
+        }
       }
-      cell.push_back(i);
-    });
-    if (found) return found;
   }
-  return {};
 }
 
 }  // namespace penumbra::bake

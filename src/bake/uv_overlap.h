@@ -1,9 +1,9 @@
-// Whether triangles of a texture layout lie on one another.
+// Texels that two triangles of a texture layout claim.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -12,15 +12,29 @@ namespace penumbra::bake {
 /// A triangle laid out in texels.
 struct LaidTriangle {
   Vec2 corner[3];
-  std::uint32_t group = 0;
 };
 
-/// Two triangles, by number, that reach into one another by more than a sixty-fourth of a texel.
 struct UvOverlap {
-  std::size_t a = 0, b = 0;
+  std::size_t covered = 0;    ///< texels whose centre is within a triangle, all sheets together
+  std::size_t contested = 0;  ///< those that are within several
+  std::size_t a = 0, b = 0;   ///< the first two, by number, that claim the same texel
 };
 
-/// The first overlap; `across`: only between triangles of different groups. None if there is none.
-std::optional<UvOverlap> find_overlap(std::span<const LaidTriangle> triangles, bool across);
+/// A page on which triangles claim the texels whose centres they hold, clear of their edges by a
+/// sixty-fourth of a texel.
+class ClaimedTexels {
+ public:
+  ClaimedTexels(int width, int height);
+
+  /// Counts on; numbers of triangles follow those of earlier calls.
+  void add(std::span<const LaidTriangle> triangles);
+  const UvOverlap& overlap() const { return overlap_; }
+
+ private:
+  int width_, height_;
+  std::vector<std::uint32_t> owner_;  ///< 1 + the number of a triangle; 0: none; a bit: several
+  std::size_t count_ = 0;
+  UvOverlap overlap_;
+};
 
 }  // namespace penumbra::bake

@@ -226,32 +226,46 @@ TEST_F(UvLayoutTest, OverlapIsRefused) {
   add_cube(scene_);
   std::vector<Vec2>& uv = scene_.meshes[0].uv[0];
   for (int face = 0; face < 6; ++face) uv.insert(uv.end(), whole.begin(), whole.end());
-  EXPECT_EQ(error(), std::string("--uv existing: 'object 0' overlaps itself in TEXCOORD_0: "
-                                 "triangles 0 and 2, near (0, 1)") +
-                         remedy);
+  const std::string told = error();
+  EXPECT_THAT(told, HasSubstr("--uv existing: 'object 0' overlaps itself in TEXCOORD_0 on "));
+  EXPECT_THAT(told, HasSubstr(" % of its texels: triangles 0 and 2, near (0, 1)"));
+  EXPECT_THAT(told, HasSubstr(remedy));
   // Side by side, with edges in common, it is none.
   for (std::size_t v = 0; v < uv.size(); ++v)
     uv[v] = {(uv[v].x + static_cast<float>(v / 4)) / 6, uv[v].y};
   EXPECT_EQ(error(), "no error");
+  EXPECT_TRUE(make_plan(scene_, textures_).remarks.squeezed.empty());
 }
 
-TEST(UvOverlap, IsFoundAmongManyAndOnlyWhereItIs) {
+TEST_F(UvLayoutTest, AFewContestedTexelsAreRemarkedUpon) {
+  // A small flap folded onto the floor's corner.
+  add_mesh(scene_,
+           {{0, 0, 0}, {4, 0, 0}, {4, 0, -2}, {0, 0, -2}, {4, 0, 0}, {4.1f, 0, 0}, {4, 0, -0.1f}},
+           {0, 1, 2, 0, 2, 3, 4, 5, 6});
+  scene_.meshes[0].uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}, {1, 1}, {0.97f, 1}, {1, 0.93f}};
+  const Plan plan = make_plan(scene_, textures_);
+  EXPECT_THAT(plan.remarks.squeezed, ::testing::ElementsAre("object 0"));
+}
+
+TEST(ClaimedTexels, ThatTrianglesShareAreCounted) {
   std::vector<LaidTriangle> triangles;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x) {
-      const auto a = static_cast<float>(x), b = static_cast<float>(y);
-      triangles.push_back({{{a, b}, {a + 1, b}, {a, b + 1}}, 0});
-      triangles.push_back({{{a + 1, b + 1}, {a + 1, b}, {a, b + 1}}, 0});
+      const float a = 1.3f * static_cast<float>(x), b = 1.3f * static_cast<float>(y);
+      triangles.push_back({{{a, b}, {a + 1.3f, b}, {a, b + 1.3f}}});
+      triangles.push_back({{{a + 1.3f, b + 1.3f}, {a + 1.3f, b}, {a, b + 1.3f}}});
     }
-  EXPECT_FALSE(find_overlap(triangles, false));
-  triangles.push_back({{{20.1f, 20.7f}, {20.3f, 20.7f}, {20.1f, 20.75f}}, 1});
-  const auto found = find_overlap(triangles, false);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->b, triangles.size() - 1);
-  EXPECT_EQ(found->a, 2u * (20 * 40 + 20));
-  EXPECT_TRUE(find_overlap(triangles, true));
-  triangles.back().group = 0;
-  EXPECT_FALSE(find_overlap(triangles, true));
+  ClaimedTexels page(52, 52);
+  page.add(triangles);
+  EXPECT_GT(page.overlap().covered, 2000u);
+  EXPECT_EQ(page.overlap().contested, 0u);
+  // Two triangles of 4 × 3 texels from (20, 30) on.
+  const std::vector<LaidTriangle> over{{{{20, 30}, {24, 30}, {20, 33}}},
+                                       {{{24, 33}, {20, 33}, {24, 30}}}};
+  page.add(over);
+  EXPECT_GE(page.overlap().contested, 5u);
+  EXPECT_LE(page.overlap().contested, 12u);
+  EXPECT_GE(page.overlap().b, triangles.size());
 }
 
 }  // namespace
