@@ -1,6 +1,7 @@
 // Golden pictures: what tests/data/golden holds, and comparison with it.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct Golden {
   std::string name;                  ///< of the .png beside the list
   std::vector<std::string> command;  ///< render … of the test, but for -o
 };
+
+void PrintTo(const Golden& golden, std::ostream* out);
 
 /// Pictures of exact.txt and of sampled.txt.
 std::vector<Golden> exact_pictures();

@@ -12,17 +12,30 @@
 namespace penumbra::test {
 namespace {
 
+Image rendered(const Golden& golden, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "candidate.png";
+  std::vector<std::string> words = golden.command;
+  words.insert(words.end(), {"-o", file});
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = penumbra(words);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome.status == 0 ? read_rgb(file) : Image(96, 60, 3);
+}
+
+std::vector<Image> rendered_by_seeds(const Golden& golden, std::vector<std::string> more) {
+  std::vector<Image> candidates;
+  more.emplace_back("--seed");
+  for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+    more.emplace_back(seed);
+    candidates.push_back(rendered(golden, more));
+    more.pop_back();
+  }
+  return candidates;
+}
+
 class GoldenTest : public ::testing::TestWithParam<Golden> {
  protected:
-  Image rendered(const std::vector<std::string>& more) {
-    const std::string file = folder_ / "candidate.png";
-    std::vector<std::string> words = GetParam().command;
-    words.insert(words.end(), {"-o", file});
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = penumbra(words);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return outcome.status == 0 ? read_rgb(file) : Image(1, 1, 3);
-  }
   // Fails, and leaves the pictures, if there is an objection.
   void judge(const std::string& objection, const Image& candidate, const Image& golden) {
     const std::string folder = failure_folder(GetParam().name);
@@ -32,9 +45,6 @@ class GoldenTest : public ::testing::TestWithParam<Golden> {
       FAIL() << GetParam().name << ": " << objection << "; "
              << leave_pictures(folder, candidate, golden);
   }
-
- private:
-  TemporaryFolder folder_;
 };
 
 std::string name_of(const ::testing::TestParamInfo<Golden>& info) {
@@ -45,7 +55,7 @@ std::string name_of(const ::testing::TestParamInfo<Golden>& info) {
 
 class Exact : public GoldenTest {};
 TEST_P(Exact, IsTheGoldenPicture) {
-  const Image golden = golden_picture(GetParam().name), candidate = rendered({});
+  const Image golden = golden_picture(GetParam().name), candidate = rendered(GetParam(), {});
   judge(objection(candidate, golden), candidate, golden);
 }
 INSTANTIATE_TEST_SUITE_P(GoldenPictures, Exact, ::testing::ValuesIn(exact_pictures()), name_of);
@@ -53,12 +63,34 @@ INSTANTIATE_TEST_SUITE_P(GoldenPictures, Exact, ::testing::ValuesIn(exact_pictur
 class Sampled : public GoldenTest {};
 TEST_P(Sampled, ScattersAboutTheGoldenPicture) {
   const Image golden = golden_picture(GetParam().name);
-  std::vector<Image> candidates;
-  for (const char* seed : {"1", "2", "3", "4", "5", "6"})
-    candidates.push_back(rendered({"--seed", seed}));
+  const std::vector<Image> candidates = rendered_by_seeds(GetParam(), {});
   judge(statistical_objection(candidates, golden), mean_of(candidates), golden);
 }
 INSTANTIATE_TEST_SUITE_P(GoldenPictures, Sampled, ::testing::ValuesIn(sampled_pictures()), name_of);
+
+Golden named(const std::vector<Golden>& all, const std::string& name) {
+  for (const Golden& golden : all)
+    if (golden.name == name) return golden;
+  ADD_FAILURE() << name << " is in no list";
+  return {};
+}
+
+TEST(GoldenPictures, SeeALightThatIsAFiftiethLarger) {
+  for (const char* name : {"figure4-parker", "umbra-inner", "overlap-regular"})
+    EXPECT_NE(objection(rendered(named(exact_pictures(), name), {"--light-size", "1.02"}),
+                        golden_picture(name)),
+              "")
+        << name;
+}
+
+TEST(GoldenPictures, SeeThroughTheNoiseALightThatIsAFifthLarger) {
+  for (const char* name : {"figure4-area", "overlap-area", "overlap-jittered"})
+    EXPECT_NE(statistical_objection(
+                  rendered_by_seeds(named(sampled_pictures(), name), {"--light-size", "1.2"}),
+                  golden_picture(name)),
+              "")
+        << name;
+}
 
 Image ramp() {
   Image image(96, 60, 3);
