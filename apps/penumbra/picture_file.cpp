@@ -37,6 +37,7 @@ Image joined(const std::array<const Image*, 3>& channels) {
 
 std::vector<std::string_view> names_of(const ExrFile& exr) {
   std::vector<std::string_view> names;
+  names.reserve(exr.channels.size());
   for (const auto& [name, image] : exr.channels) names.push_back(name);
   return names;
 }

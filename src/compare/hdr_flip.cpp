@@ -68,9 +68,10 @@ Range exposures_of(const Image& reference) {
   const std::vector<float> values = luminances(reference);
   const double brightest = *std::max_element(values.begin(), values.end());
   if (brightest <= 0) return {};
-  // A picture that is black by half has no exposure for its median: it ends where its brightest
-  // pixel is 2⁻¹⁶ of that (the smallest difference that a 16-bit picture holds).
-  const double least = std::max(median(values), brightest * 0x1p-16);
+  const double middle = median(values);
+  // Where half the picture is black there is no exposure for the median; the range then ends 16
+  // stops from its beginning.
+  const double least = middle > 0 ? middle : brightest * 0x1p-16;
   const double bright = light_of_bright_tone();
   const double first = std::log2(bright / brightest), last = std::log2(bright / least);
   return {first, last, std::max(2, static_cast<int>(std::ceil(last - first)))};

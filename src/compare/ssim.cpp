@@ -27,11 +27,13 @@ float gray(const float* pixel, int channels) {
   return channels < 3 ? pixel[0] : 0.299f * pixel[0] + 0.587f * pixel[1] + 0.114f * pixel[2];
 }
 
-Plane gray_rows(const Image& image, int first, int last) {
+// In units of the range, so that the squares of large values fit into floats.
+Plane gray_rows(const Image& image, int first, int last, double range) {
+  const auto scale = static_cast<float>(1 / range);
   Plane plane(image.width, last - first);
   for (int y = first; y < last; ++y)
     for (int x = 0; x < image.width; ++x)
-      plane.row(y - first)[x] = gray(image.at(x, y), image.channels);
+      plane.row(y - first)[x] = scale * gray(image.at(x, y), image.channels);
   return plane;
 }
 
@@ -49,11 +51,12 @@ Plane local_means(const Plane& in) {
 // Of the windows that fill the rows [first, last).
 double sum_of_windows(const Image& image_a, const Image& image_b, int first, int last,
                       double range) {
-  const Plane a = gray_rows(image_a, first, last), b = gray_rows(image_b, first, last);
+  const Plane a = gray_rows(image_a, first, last, range);
+  const Plane b = gray_rows(image_b, first, last, range);
   const Plane mean_a = local_means(a), mean_b = local_means(b);
   const Plane mean_aa = local_means(product(a, a)), mean_bb = local_means(product(b, b));
   const Plane mean_ab = local_means(product(a, b));
-  const double c1 = 0.01 * range * 0.01 * range, c2 = 0.03 * range * 0.03 * range;
+  constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
   double sum = 0;
   for (std::size_t i = 0; i < mean_a.values.size(); ++i) {
     const double ma = mean_a.values[i], mb = mean_b.values[i];

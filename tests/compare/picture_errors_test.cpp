@@ -114,6 +114,17 @@ TEST(Ssim, AgreesWithScikitImage) {
   EXPECT_NEAR(*mean_ssim(a, b, 255), -0.010963892, 1e-6);
 }
 
+TEST(Ssim, DependsOnTheShareOfTheRangeAlone) {
+  Image a = scenery(30, 30, 1), b = scenery(30, 30, 2);
+  const double ssim = *mean_ssim(a, b, 1);
+  for (const double scale : {1e-30, 1e30}) {
+    Image small = a, other = b;
+    for (float& value : small.data) value *= static_cast<float>(scale);
+    for (float& value : other.data) value *= static_cast<float>(scale);
+    EXPECT_NEAR(*mean_ssim(small, other, scale), ssim, 1e-5);
+  }
+}
+
 TEST(Ssim, IsNoneWhereNoWindowFits) {
   EXPECT_FALSE(mean_ssim(flat(10, 40, 0, 0, 0), flat(10, 40, 0, 0, 0), 1));
   EXPECT_FALSE(mean_ssim(flat(40, 10, 0, 0, 0), flat(40, 10, 0, 0, 0), 1));
