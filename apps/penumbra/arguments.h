@@ -7,6 +7,7 @@
 
 #include "bake/bake_options.h"
 #include "bake/plan.h"
+#include "diff_options.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "scene/scene.h"
@@ -14,7 +15,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake };
+enum class Command { render, probe, info, make_new, export_shader, bake, diff };
 
 enum class Device { automatic, cpu, gl };
 
@@ -52,6 +53,7 @@ struct Arguments {
   bool quiet = false;
   sdf::ConversionOptions conversion;
   BakeArguments bake;
+  DiffArguments diff;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed
