@@ -9,6 +9,7 @@
 #include "bake/plan.h"
 #include "base/progress.h"
 #include "render/direct_light.h"
+#include "scene/gltf_materials.h"
 
 namespace penumbra::bake {
 
@@ -23,6 +24,9 @@ struct BakeInput {
   /// light_in_passes() of this, instead of `irradiance`; null: all points at once.
   const BakedIrradiance* refined = nullptr;
   PassOptions passes = {};
+  /// Lightmaps: the materials of the glTF file that the scene was read from, kept as they are;
+  /// null: written from the scene's.
+  const GltfMaterials* source = nullptr;
 };
 
 enum class Output : std::uint8_t { radiance, lightmap };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bake/atlas.h"
+#include "bake/uv_layout.h"
 #include "base/cancel.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -33,14 +34,19 @@ float default_texel_size(const Plan& plan) {
 double needed_bytes(const Plan& plan, const TextureOptions& options, double coarser) {
   double texels = 0, largest = 0;
   for (const CutChart& chart : plan.charts) {
-    const auto side = [&](const Vec3& edge) {
-      const double n = std::ceil(length(edge) / (chart.texel_size * coarser));
+    const auto side = [&](const Vec3& edge, int now) {
+      const double n = chart.shape.uv ? std::ceil(now / coarser)
+                                      : std::ceil(length(edge) / (chart.texel_size * coarser));
       return std::clamp(n, 2.0, static_cast<double>(largest_page - 2 * gutter));
     };
-    const double n = side(chart.shape.edge_x) * side(chart.shape.edge_y);
+    const double n =
+        side(chart.shape.edge_x, chart.shape.width) * side(chart.shape.edge_y, chart.shape.height);
     texels += n, largest = std::max(largest, n);
   }
-  const double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
+  double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
+  if (plan.placed)
+    for (const AtlasPage& p : plan.placed->pages)
+      page = std::max(page, double{1} * p.width * p.height / (coarser * coarser));
   const double at_work = std::min(largest * thread_count(), texels);
   const double samples = options.supersample * options.supersample;
   return kept_bytes * texels + page_bytes * page + work_bytes * samples * at_work +
@@ -60,14 +66,19 @@ void check_memory(const Plan& plan, const TextureOptions& options) {
       fmt::format("give --texel-size {:.3g}, or more by --max-memory", plan.texel_size * coarser));
 }
 
+ChartOptions chart_options(const Plan& plan) {
+  ChartOptions options;
+  options.texel_size = plan.texel_size;
+  options.most_texels = largest_page - 2 * gutter;
+  return options;
+}
+
 void cut(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,
          Plan& plan) {
   const std::size_t count = plan.meshes.size();
   std::vector<std::vector<CutChart>> charts(count);
   std::vector<ChartRemarks> remarks(count);
-  ChartOptions options;
-  options.texel_size = plan.texel_size;
-  options.most_texels = largest_page - 2 * gutter;
+  const ChartOptions options = chart_options(plan);
   parallel_for(count, [&](std::size_t i) {
     if (!plan.receives[i]) return;
     for (const bool back : {false, true}) {
@@ -111,7 +122,10 @@ Plan make_plan(const Scene& scene, const TextureOptions& options) {
   });
   plan.backs.assign(backs.begin(), backs.end());
   plan.texel_size = options.texel_size.value_or(default_texel_size(plan));
-  cut(scene, adjacencies, plan);
+  if (options.existing_uv)
+    lay_out_by_uv(scene, adjacencies, chart_options(plan), options.power_of_two, plan);
+  else
+    cut(scene, adjacencies, plan);
   check_memory(plan, options);
   return plan;
 }

@@ -24,7 +24,8 @@ struct Material {
   Vec3 emission{0, 0, 0};              ///< radiance
   TextureSlot diffuse_map;             ///< sRGB; multiplies diffuse
   TextureSlot metallic_roughness_map;  ///< linear; green · roughness, blue · metallic
-  TextureSlot emission_map;            ///< sRGB; multiplies emission; lights nothing by itself
+  TextureSlot emission_map;            ///< sRGB; multiplies emission
+  bool emission_map_lights = false;    ///< with an emission map its surface is a light too
   float metallic = 0;  ///< glTF: diffuse and specular are mixed from base colour by this
   bool is_metallic_roughness = false;  ///< glTF: diffuse is the base colour, see metallic
   bool double_sided = true;            ///< seen and shaded from both sides

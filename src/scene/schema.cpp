@@ -80,7 +80,8 @@ constexpr std::string_view before_sdf = R"json({
         "roughness": {"$ref": "#/$defs/unit_interval", "default": 0.5},
         "mirror": {"anyOf": [{"$ref": "#/$defs/unit_interval"}, {"$ref": "#/$defs/albedo"}], "default": 0},
         "emission": {"$ref": "#/$defs/light_colour", "default": [0, 0, 0]},
-        "texture": {"$ref": "#/$defs/file"}
+        "texture": {"$ref": "#/$defs/file"},
+        "emission_texture": {"$ref": "#/$defs/file", "description": "Multiplies the emission; sampled where it is bright."}
       }
     },
 
@@ -252,7 +253,8 @@ constexpr std::string_view after_sdf = R"json(
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
-        "radiance": {"$ref": "#/$defs/light_colour"}
+        "radiance": {"$ref": "#/$defs/light_colour"},
+        "texture": {"$ref": "#/$defs/file", "description": "Multiplies the radiance: a window that is seen and stands in the way of other lights."}
       }
     },
     "segment_light": {

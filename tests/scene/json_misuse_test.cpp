@@ -141,7 +141,7 @@ TEST(JsonMisuse, Materials) {
           {R"({"texture": "a\u0000b"})",
            R"(2:13: "texture" holds a control character; give plain text)"},
           {R"({"difuse": [1, 1, 1]})",
-           R"(2:2: unknown key "difuse" in a material; did you mean "diffuse"? (known: diffuse, specular, roughness, mirror, emission, texture))"},
+           R"(2:2: unknown key "difuse" in a material; did you mean "diffuse"? (known: diffuse, specular, roughness, mirror, emission, texture, emission_texture))"},
       });
 }
 

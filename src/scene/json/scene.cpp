@@ -23,6 +23,7 @@ Scene json::read_scene(const Document& document) {
   if (materials) read_materials(builder, *materials);
   if (lights) read_lights(builder, *lights);
   read_objects(builder, *objects);
+  add_windows(builder);
   return std::move(builder.scene);
 }
 
