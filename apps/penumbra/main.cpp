@@ -25,6 +25,8 @@ void run_command(Arguments& arguments, Console& console) {
       return run_probe(arguments, console);
     case Command::export_shader:
       return run_export(arguments, console);
+    case Command::animate:
+      return run_animate(arguments, console);
     case Command::bake:
       return run_bake(arguments, console);
     case Command::info:

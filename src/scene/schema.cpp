@@ -67,7 +67,9 @@ constexpr std::string_view before_sdf = R"json({
         "position": {"$ref": "#/$defs/point"},
         "look_at": {"$ref": "#/$defs/point"},
         "up": {"$ref": "#/$defs/nonzero_vector", "default": [0, 1, 0]},
-        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40}
+        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"}
       }
     },
 
@@ -98,6 +100,20 @@ constexpr std::string_view before_sdf = R"json({
         {"$ref": "#/$defs/glsl_object"}
       ]
     },
+    "keyframes": {
+      "description": "Values of keys of the thing at moments, in the order of time; they move between.",
+      "type": "array",
+      "items": {
+        "type": "object",
+        "required": ["time"],
+        "properties": {"time": {"type": "number", "minimum": -1e9, "maximum": 1e9, "description": "Seconds."}}
+      },
+      "minItems": 1
+    },
+    "interpolation": {
+      "description": "Between keyframes: straight, or with eased ends.",
+      "enum": ["linear", "smooth"], "default": "linear"
+    },
     "receives": {
       "description": "Whether bake gives it textures of light and shadow.",
       "type": "boolean", "default": true
@@ -108,6 +124,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "quad"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
@@ -121,6 +139,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "center": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
@@ -133,6 +153,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "box"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "min": {"$ref": "#/$defs/point"},
         "max": {"$ref": "#/$defs/point"},
@@ -145,6 +167,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "polygon"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
         "material": {"$ref": "#/$defs/text"}
@@ -156,6 +180,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "mesh"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"},
         "transform": {"$ref": "#/$defs/transform"},
@@ -168,6 +194,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sdf"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "root": {"$ref": "#/$defs/sdf_node"},
         "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
@@ -179,6 +207,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "glsl"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"}
       }
@@ -225,6 +255,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "radiance": {"$ref": "#/$defs/light_colour"}
@@ -236,6 +268,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "disk"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "normal": {"$ref": "#/$defs/nonzero_vector", "description": "The side that emits."},
         "radius": {"$ref": "#/$defs/positive"},
@@ -249,6 +283,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "rect"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
@@ -261,6 +297,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "segment"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "from": {"$ref": "#/$defs/point"},
         "to": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
@@ -273,6 +311,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "point"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "intensity": {"$ref": "#/$defs/light_colour"}
       }
@@ -283,6 +323,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sun"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "direction": {"$ref": "#/$defs/nonzero_vector", "description": "The way the light travels."},
         "angular_diameter_deg": {"type": "number", "minimum": 0, "maximum": 179.999, "default": 0.53},
         "irradiance": {"$ref": "#/$defs/light_colour"}

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 
 namespace penumbra::json {
 namespace {
@@ -78,6 +79,7 @@ void read_lights(Builder& builder, const Json::Value& lights) {
     const LightFunction read = choose_by_type(reader, light_types);
     Light& light = builder.scene.lights.emplace_back();
     light.name = reader.optional<std::string>("name", text, {});
+    know_keyframes(reader);
     read(reader, light);
   }
 }
