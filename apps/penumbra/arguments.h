@@ -15,7 +15,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake, diff };
+enum class Command { render, probe, info, make_new, export_shader, bake, diff, animate };
 
 enum class Device { automatic, cpu, gl };
 
@@ -33,6 +33,14 @@ struct BakeArguments {
   std::optional<float> time_limit;  ///< seconds of light
   bool lightmap = false, hdr = false;
   std::string preview;  ///< HTML file; empty = none
+};
+
+/// What animate alone is asked.
+struct AnimationArguments {
+  int frames = 0;  ///< 0 = as many as what moves takes
+  double frames_per_second = 24;
+  double turntable = 0;  ///< degrees that the camera goes round
+  bool resume = false;   ///< frames that are there are kept
 };
 
 struct Arguments {
@@ -54,6 +62,7 @@ struct Arguments {
   sdf::ConversionOptions conversion;
   BakeArguments bake;
   DiffArguments diff;
+  AnimationArguments animation;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

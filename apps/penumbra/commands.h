@@ -11,6 +11,7 @@ namespace penumbra::app {
 void run_render(Arguments& arguments, Console& console);
 void run_probe(Arguments& arguments, Console& console);
 void run_bake(Arguments& arguments, Console& console);
+void run_animate(Arguments& arguments, Console& console);
 void run_export(Arguments& arguments, Console& console);
 void run_info(const Arguments& arguments);
 void run_new(const Arguments& arguments);

@@ -29,8 +29,8 @@ bool draws_with_gl(const Arguments& a, const Scene& scene) {
 }
 
 bool is_own_picture(const Arguments& a, const Scene& scene) {
-  return a.command == Command::render && a.entry != Entry::map && scene.glsl &&
-         read_user_shader(scene.glsl->path, scene.glsl->text).has_main_image;
+  return (a.command == Command::render || a.command == Command::animate) && a.entry != Entry::map &&
+         scene.glsl && read_user_shader(scene.glsl->path, scene.glsl->text).has_main_image;
 }
 
 void adapt_to_gl(Arguments& a, const Scene& scene, Console& console) {

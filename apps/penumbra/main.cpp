@@ -28,6 +28,9 @@ int run_command(Arguments& arguments, Console& console) {
     case Command::export_shader:
       run_export(arguments, console);
       return 0;
+    case Command::animate:
+      run_animate(arguments, console);
+      return 0;
     case Command::bake:
       run_bake(arguments, console);
       return 0;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "baked_light.h"
 #include "base/error.h"
 #include "commands.h"
 #include "device.h"
 #include "memory.h"
 #include "outputs.h"
+#include "picture.h"
 #include "prepare.h"
 #include "stats.h"
 
@@ -66,27 +66,6 @@ Json::Value stats_of(const Arguments& arguments, const Scene& scene, std::size_t
   return json;
 }
 
-// Counts bytes of structures and seconds of building them.
-RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::size_t& bytes,
-                              Phases& phases, Console& console) {
-  if (draws_with_gl(arguments, scene)) {
-    adapt_to_gl(arguments, scene, console);
-    return render_gl(scene, arguments.render, arguments.entry, console);
-  }
-  const Stopwatch build;
-  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf) {
-    const BakedLight baked(scene, arguments, console);
-    phases.build = build.seconds();
-    bytes = baked.world().memory_bytes();
-    arguments.render.known = &baked.light();
-    return render(baked.world(), arguments.render, console);
-  }
-  const std::unique_ptr<World> world = build_world(scene, arguments, console);
-  phases.build = build.seconds();
-  bytes = world->memory_bytes();
-  return render(*world, arguments.render, console);
-}
-
 }  // namespace
 
 void run_render(Arguments& arguments, Console& console) {
@@ -102,8 +81,9 @@ void run_render(Arguments& arguments, Console& console) {
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);
   check_steps_are_counted(arguments, scene);
-  std::size_t bytes = 0;
-  const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
+  const Picture picture = make_picture(arguments, scene, console);
+  const RenderResult& result = picture.result;
+  phases.build = picture.seconds_build;
   for (const std::string& text : result.warnings) console.warn(text);
   warn_of_unfinished(result.stats.shadows, console);
   if (const auto lost = result.stats.unfinished_rays; lost > 0)
@@ -119,7 +99,8 @@ void run_render(Arguments& arguments, Console& console) {
   console.finish();
   phases.write = write.seconds();
   if (!arguments.stats.empty())
-    write_stats(arguments.stats, stats_of(arguments, scene, bytes, result.stats, phases));
+    write_stats(arguments.stats,
+                stats_of(arguments, scene, picture.structure_bytes, result.stats, phases));
 }
 
 }  // namespace penumbra::app

@@ -134,10 +134,11 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  Vec3 ambient{0.05f, 0.05f, 0.05f};  ///< radiance from everywhere, unoccluded
-  bool ambient_is_automatic = false;  ///< the file says nothing of it: renderers follow the light
-  Vec3 background{0, 0, 0};           ///< radiance where a ray meets nothing
-  std::optional<float> exposure_ev;   ///< that the file asks to be shown with; none = by renderers
+  Vec3 ambient{0.05f, 0.05f, 0.05f};   ///< radiance from everywhere, unoccluded
+  bool ambient_is_automatic = false;   ///< the file says nothing of it: renderers follow the light
+  Vec3 background{0, 0, 0};            ///< radiance where a ray meets nothing
+  std::vector<double> keyframe_times;  ///< of all that moves, seconds, ascending; empty: nothing
+  std::optional<float> exposure_ev;    ///< that the file asks to be shown with; none = by renderers
   LoadReport report;
 };
 

@@ -67,7 +67,9 @@ constexpr std::string_view before_sdf = R"json({
         "position": {"$ref": "#/$defs/point"},
         "look_at": {"$ref": "#/$defs/point"},
         "up": {"$ref": "#/$defs/nonzero_vector", "default": [0, 1, 0]},
-        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40}
+        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"}
       }
     },
 
@@ -99,6 +101,20 @@ constexpr std::string_view before_sdf = R"json({
         {"$ref": "#/$defs/glsl_object"}
       ]
     },
+    "keyframes": {
+      "description": "Values of keys of the thing at moments, in the order of time; they move between.",
+      "type": "array",
+      "items": {
+        "type": "object",
+        "required": ["time"],
+        "properties": {"time": {"type": "number", "minimum": -1e9, "maximum": 1e9, "description": "Seconds."}}
+      },
+      "minItems": 1
+    },
+    "interpolation": {
+      "description": "Between keyframes: straight, or with eased ends.",
+      "enum": ["linear", "smooth"], "default": "linear"
+    },
     "receives": {
       "description": "Whether bake gives it textures of light and shadow.",
       "type": "boolean", "default": true
@@ -109,6 +125,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "quad"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
@@ -122,6 +140,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "center": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
@@ -134,6 +154,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "box"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "min": {"$ref": "#/$defs/point"},
         "max": {"$ref": "#/$defs/point"},
@@ -146,6 +168,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "polygon"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
         "material": {"$ref": "#/$defs/text"}
@@ -157,6 +181,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "mesh"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"},
         "transform": {"$ref": "#/$defs/transform"},
@@ -169,6 +195,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sdf"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "root": {"$ref": "#/$defs/sdf_node"},
         "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
@@ -180,6 +208,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "glsl"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "file": {"$ref": "#/$defs/file"}
       }
@@ -226,6 +256,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "radiance": {"$ref": "#/$defs/light_colour"}
@@ -237,6 +269,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "disk"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "normal": {"$ref": "#/$defs/nonzero_vector", "description": "The side that emits."},
         "radius": {"$ref": "#/$defs/positive"},
@@ -250,6 +284,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "rect"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
@@ -263,6 +299,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "segment"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "from": {"$ref": "#/$defs/point"},
         "to": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
@@ -275,6 +313,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "point"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "intensity": {"$ref": "#/$defs/light_colour"}
       }
@@ -285,6 +325,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sun"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "direction": {"$ref": "#/$defs/nonzero_vector", "description": "The way the light travels."},
         "angular_diameter_deg": {"type": "number", "minimum": 0, "maximum": 179.999, "default": 0.53},
         "irradiance": {"$ref": "#/$defs/light_colour"}

@@ -16,11 +16,12 @@ struct Model {
   std::vector<Instance> instances;
 };
 
-/// The scene that a document describes, unfinished; InputError with the place.
-Scene read_scene(const Document& document);
+/// The scene that a document describes at `time`, seconds; unfinished. InputError with the place.
+Scene read_scene(const Document& document, double time = 0);
 
 struct Builder {
   const Document& document;
+  double time = 0;  ///< of models that move
   Scene scene{};
   std::map<std::string, std::uint32_t, std::less<>> materials{};  ///< index by name
   std::map<std::string, int> textures{};                ///< index by path; -1 = cannot be decoded

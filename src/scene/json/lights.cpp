@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 
 namespace penumbra::json {
 namespace {
@@ -102,6 +103,7 @@ void read_lights(Builder& builder, const Json::Value& lights) {
     const bool is_rect = read == rect_light;
     const TextureSlot texture =
         is_rect ? optional_texture(builder, reader, "texture") : TextureSlot{};
+    know_keyframes(reader);
     read(reader, light);
     if (!texture.used()) continue;
     builder.windows.push_back({light, texture});
