@@ -171,11 +171,16 @@ TEST_F(BakeCommandTest, AnExistingLayoutIsTakenOrRefusedByName) {
 }
 
 TEST_F(BakeCommandTest, CurvedSurfacesMayBeShadowedOnAPlane) {
-  ASSERT_EQ(bake({"--texel-size", "0.05", "-q"}, folder / "r.glb").status, 0);
-  ASSERT_EQ(bake({"--texel-size", "0.05", "--curved", "plane", "-q"}, folder / "p.glb").status, 0);
-  EXPECT_NE(read_file(folder / "r.glb"), read_file(folder / "p.glb"));
-  ASSERT_EQ(render(folder / "r.glb", folder / "r.png", "none").status, 0);
-  ASSERT_EQ(render(folder / "p.glb", folder / "p.png", "none").status, 0);
+  const std::string window = PENUMBRA_SOURCE_DIR "/scenes/window.json";
+  for (const char* way : {"rays", "plane"})
+    ASSERT_EQ(penumbra({"bake", window, "-o", folder / way + ".glb", "--receivers", "vase",
+                        "--texel-size", "0.02", "--light-samples", "16", "--exposure", "-1",
+                        "--curved", way, "-q"})
+                  .status,
+              0);
+  EXPECT_TRUE(read_file(folder / "rays.glb") != read_file(folder / "plane.glb"));
+  ASSERT_EQ(render(folder / "rays.glb", folder / "r.png", "none").status, 0);
+  ASSERT_EQ(render(folder / "plane.glb", folder / "p.png", "none").status, 0);
   EXPECT_LT(differing(read_png(folder / "r.png"), read_png(folder / "p.png")), 0.05);
 }
 
@@ -196,7 +201,8 @@ TEST_F(BakeCommandTest, AStainedGlassWindowLooksAsByAreaLight) {
                                   "--texel-size", "0.02", "--exposure", "-1.5", "-q"});
   ASSERT_EQ(baked.status, 0) << baked.err;
   const Image shown = picture(folder / "w.glb", "baked.png", {"--shadows", "none", "--spp", "1"});
-  EXPECT_LT(differing(area, shown), 0.05);
+  // Edges, of the panes above all, are smoothed by one of the two alone.
+  EXPECT_LT(differing(area, shown), 0.1);
   // It is colours that fall on the floor: pixels of saturated red and of blue.
   std::size_t red = 0, blue = 0;
   for (std::size_t i = 0; i < shown.data.size(); i += 4) {
