@@ -8,14 +8,14 @@
 namespace penumbra::report {
 
 struct Candidate {
-  std::string name;                   ///< as of --shadows
-  double error = 0;                   ///< root mean square, in the penumbra
-  double seconds = 0;                 ///< of one picture
-  std::optional<int> light_samples;   ///< area: that many points a light
+  std::string name;                  ///< as of --shadows
+  double error = 0;                  ///< root mean square, in the penumbra
+  double seconds = 0;                ///< of one picture
+  std::optional<int> light_samples;  ///< area: that many points a light
 };
 
 struct Advice {
-  std::string method;                ///< empty if there was no candidate
+  std::string method;  ///< empty if there was no candidate
   std::optional<int> light_samples;
   std::string text;
 };

@@ -50,8 +50,7 @@ double error_of(const World& world, const std::vector<Place>& places, ShadowOpti
   parallel_for(places.size(), [&](std::size_t i) {
     ShadowCounts counts_of_this;
     const Place& p = places[i];
-    const double found =
-        shadows.visibility(p.receiver, p.light, p.pixel, counts_of_this).fraction;
+    const double found = shadows.visibility(p.receiver, p.light, p.pixel, counts_of_this).fraction;
     squares[i] = (found - p.truth) * (found - p.truth);
   });
   double sum = 0;

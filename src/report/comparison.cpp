@@ -39,7 +39,8 @@ std::optional<double> seconds_of_area(const std::vector<MethodResult>& methods) 
 MethodResult run(const Scene& scene, const MethodCall& call, const MakeDrawer& make,
                  const MeasureOptions& options, const Image& truth, float exposure_ev,
                  const Reference& reference) {
-  MethodResult result{.call = call};
+  MethodResult result;
+  result.call = call;
   try {
     MeasureOptions own = options;
     own.picture = call.options;
@@ -63,8 +64,10 @@ std::vector<Candidate> candidates_of(const std::vector<MethodResult>& methods,
   std::vector<Candidate> out;
   for (const MethodResult& m : methods) {
     if (!m.ok()) continue;
-    const Candidate as_it_is{std::string(m.call.text.name), m.measured.errors.all.penumbra_rmse,
-                             m.measured.cost.seconds.median, {}};
+    const Candidate as_it_is{std::string(m.call.text.name),
+                             m.measured.errors.all.penumbra_rmse,
+                             m.measured.cost.seconds.median,
+                             {}};
     out.push_back(as_it_is);
     if (m.call.text.kind != ShadowKind::area) continue;
     if (const auto enough = equal_area(curve, limit); enough && enough->points < (1 << 20))
@@ -74,8 +77,8 @@ std::vector<Candidate> candidates_of(const std::vector<MethodResult>& methods,
 }
 
 void compare_methods(const Scene& scene, const World& world, const std::vector<MethodCall>& calls,
-                     const MakeDrawer& make, std::optional<int> repeats,
-                     double limit, Comparison& comparison, Progress& progress) {
+                     const MakeDrawer& make, std::optional<int> repeats, double limit,
+                     Comparison& comparison, Progress& progress) {
   MeasureOptions options;
   if (repeats) options.repeats = *repeats, options.enough = INFINITY;
   const Image truth = shown(comparison.reference.color, comparison.exposure_ev);
@@ -93,8 +96,8 @@ void compare_methods(const Scene& scene, const World& world, const std::vector<M
   for (MethodResult& m : comparison.methods)
     if (m.ok()) m.equal_area = equal_area(curve, m.measured.errors.all.penumbra_rmse);
   progress.finish();
-  comparison.advice = advise(candidates_of(comparison.methods, curve, limit), limit,
-                             !curve.points.empty());
+  comparison.advice =
+      advise(candidates_of(comparison.methods, curve, limit), limit, !curve.points.empty());
 }
 
 }  // namespace penumbra::report

@@ -56,8 +56,8 @@ inline constexpr double default_limit = 0.05;
 /// the reference. `repeats`: of each timed picture; none: three, but no more than five seconds of
 /// them. One thing is measured at a time. Throws Cancelled, and what is no Error.
 void compare_methods(const Scene& scene, const World& world, const std::vector<MethodCall>& calls,
-                     const MakeDrawer& make, std::optional<int> repeats,
-                     double limit, Comparison& comparison, Progress& progress);
+                     const MakeDrawer& make, std::optional<int> repeats, double limit,
+                     Comparison& comparison, Progress& progress);
 
 /// What of each was measured, for advise(): `area` with as many points as the limit takes.
 std::vector<Candidate> candidates_of(const std::vector<MethodResult>& methods,

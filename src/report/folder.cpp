@@ -1,6 +1,7 @@
 #include "report/folder.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <filesystem>
@@ -23,8 +24,7 @@ constexpr const char* parts[] = {"pictures", "visibility", "errors", "data"};
 constexpr float slate[] = {0.075f, 0.09f, 0.12f};  // linear
 
 std::string base64(const std::string& bytes) {
-  constexpr const char* digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -45,11 +45,22 @@ Image mean_of(const Fractions& fractions) {
   return mean;
 }
 
-/// Alters no byte of the results' meaning: `</script>` in a name would end them.
-std::string inside_script(std::string json) {
-  for (std::size_t at = 0; (at = json.find("</", at)) != json.npos; at += 3)
-    json.insert(at + 1, "\\");
-  return json;
+/// As a string of JSON may say it too, and nothing in it can end the script that it stands in.
+std::string inside_script(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) c == '<' ? out += "\\u003c" : out += c;
+  return out;
+}
+
+/// A zlib stream (RFC 1950).
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+            reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
+  out.resize(size);
+  return out;
 }
 
 }  // namespace
@@ -59,9 +70,8 @@ Image gray_of(const Fractions& fractions) {
   Image out(mean.width, mean.height, 3);
   for (std::size_t i = 0; i < mean.data.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      out.data[3 * i + c] = std::isnan(mean.data[i])
-                                ? slate[c]
-                                : static_cast<float>(linear_from_srgb(mean.data[i]));
+      out.data[3 * i + c] =
+          std::isnan(mean.data[i]) ? slate[c] : static_cast<float>(linear_from_srgb(mean.data[i]));
   return out;
 }
 
@@ -72,9 +82,12 @@ std::string data_script(const std::string& name, const Fractions& fractions) {
       bytes += static_cast<char>(
           std::isnan(f) ? 255 : static_cast<int>(std::lround(std::clamp(f, 0.0f, 1.0f) * 254)));
   return fmt::format(
-      "penumbraData(\"{}\", {{\"width\":{},\"height\":{},\"lights\":{},\"bits\":8,\"values\":\"{}\"}}"
+      "penumbraData(\"{}\", "
+      "{{\"width\":{},\"height\":{},\"lights\":{},\"bits\":8,\"encoding\":\"deflate\",\"values\":"
+      "\"{}\"}}"
       ");\n",
-      name, fractions.front().width, fractions.front().height, fractions.size(), base64(bytes));
+      name, fractions.front().width, fractions.front().height, fractions.size(),
+      base64(deflated(bytes)));
 }
 
 std::string reference_file(const std::string& folder) {
@@ -96,7 +109,7 @@ void prepare_folder(const std::string& folder) {
 }
 
 std::string page_with(const std::string& json) {
-  constexpr std::string_view place = "@RESULTS@";
+  constexpr std::string_view place = "@results@";
   std::string page(compare_page_text("page.html"));
   const std::size_t at = page.find(place);
   return page.replace(at, place.size(), inside_script(json));
@@ -106,7 +119,8 @@ void write_folder(const std::string& folder, const Comparison& c) {
   const auto file = [&](const std::string& name) {
     return (std::filesystem::path(folder) / name).string();
   };
-  const auto write = [&](const std::string& name, const Image& picture, const Fractions& fractions) {
+  const auto write = [&](const std::string& name, const Image& picture,
+                         const Fractions& fractions) {
     write_png(file(picture_file(name)), picture, c.exposure_ev);
     write_png(file(visibility_file(name)), gray_of(fractions));
     write_file(file(data_file(name)), data_script(name, fractions));

@@ -15,13 +15,13 @@ struct Seconds {
 };
 
 struct Cost {
-  Seconds seconds;                            ///< build and render together
-  double build = 0, render = 0;               ///< medians
-  double picture = 0;                         ///< of the final picture, without the build
-  std::uint64_t rays = 0;                     ///< shadow rays
-  std::optional<std::uint64_t> evaluations;   ///< of the distance field, by shadows
+  Seconds seconds;                           ///< build and render together
+  double build = 0, render = 0;              ///< medians
+  double picture = 0;                        ///< of the final picture, without the build
+  std::uint64_t rays = 0;                    ///< shadow rays
+  std::optional<std::uint64_t> evaluations;  ///< of the distance field, by shadows
   std::optional<std::uint64_t> texel_samples;
-  std::optional<std::uint64_t> peak_bytes;    ///< beyond the scene and what the comparison holds
+  std::optional<std::uint64_t> peak_bytes;  ///< beyond the scene and what the comparison holds
 };
 
 struct Errors {

@@ -27,6 +27,7 @@ struct Reference {
   std::vector<std::uint8_t> surface;  ///< by pixel: 1 = its centre sees a surface
   std::vector<PointReference> at;     ///< by light, then pixel; undefined without a surface
   std::vector<std::uint8_t> tiles;    ///< 1 = done
+  float exposure_ev = 0;              ///< that the picture asks for by itself
   Image color;                        ///< the picture, linear rgb radiance; empty until it is drawn
   double seconds = 0;                 ///< that all this took, over all sessions
   std::uint64_t rays = 0;

@@ -29,7 +29,7 @@ void append(std::string& text, const auto& value) {
 
 std::string contents_of(const Reference& r) {
   std::string text;
-  append(text, r.seconds), append(text, r.rays);
+  append(text, r.seconds), append(text, r.rays), append(text, r.exposure_ev);
   append(text, r.surface), append(text, r.at), append(text, r.tiles), append(text, r.color.data);
   return text;
 }
@@ -61,12 +61,13 @@ std::uint64_t digest_of(std::string_view text) {
 
 /// False if the contents are of another length than such a reference has.
 bool read_contents(std::string_view text, Reference& r) {
-  const std::size_t fields = sizeof r.seconds + sizeof r.rays + r.surface.size() +
-                             r.at.size() * sizeof(PointReference) + r.tiles.size();
+  const std::size_t fields = sizeof r.seconds + sizeof r.rays + sizeof r.exposure_ev +
+                             r.surface.size() + r.at.size() * sizeof(PointReference) +
+                             r.tiles.size();
   const std::size_t colors = 3 * r.pixels() * sizeof(float);
   if (text.size() != fields && text.size() != fields + colors) return false;
   Reader reader(text);
-  reader.take(r.seconds), reader.take(r.rays);
+  reader.take(r.seconds), reader.take(r.rays), reader.take(r.exposure_ev);
   reader.take(r.surface), reader.take(r.at), reader.take(r.tiles);
   if (reader.left() == 0) return true;
   r.color = Image(r.width, r.height, 3);

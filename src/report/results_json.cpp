@@ -202,8 +202,7 @@ Json::Value results_json(const Comparison& c) {
   out["scale"]["error"] = 0.5;
   out["reference"] = reference_json(c);
   const double hard = seconds_of_hard(c);
-  out["methods"] =
-      list(c.methods, [&](const MethodResult& m) { return method_json(c, m, hard); });
+  out["methods"] = list(c.methods, [&](const MethodResult& m) { return method_json(c, m, hard); });
   out["sweeps"] = list(c.sweeps, sweep_json);
   out["advice"]["method"] = c.advice.method.empty() ? Json::Value() : Json::Value(c.advice.method);
   out["advice"]["light_samples"] = count(c.advice.light_samples);

@@ -28,7 +28,8 @@ struct Truth {
     size.seed = options.seed;
     reference = empty_reference(size, scene.lights.size());
     Progress silent;
-    complete_reference(world, size, reference, [](const Reference&) {}, silent);
+    complete_reference(
+        world, size, reference, [](const Reference&) {}, silent);
   }
   Truth(const Truth&) = delete;
   Truth& operator=(const Truth&) = delete;
@@ -62,7 +63,8 @@ const char* to_string(SweepParameter parameter) {
 
 std::vector<double> log_spaced(double first, double last, int count) {
   std::vector<double> values{first};
-  for (int i = 1; i + 1 < count; ++i) values.push_back(first * std::pow(last / first, i / (count - 1.0)));
+  for (int i = 1; i + 1 < count; ++i)
+    values.push_back(first * std::pow(last / first, i / (count - 1.0)));
   if (count > 1) values.push_back(last);
   return values;
 }

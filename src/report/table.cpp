@@ -10,7 +10,7 @@ namespace {
 std::string time_text(double seconds) {
   if (!std::isfinite(seconds)) return "-";
   if (seconds < 1) return fmt::format("{:.0f} ms", 1000 * seconds);
-  return fmt::format(seconds < 100 ? "{:.2f} s" : "{:.0f} s", seconds);
+  return seconds < 100 ? fmt::format("{:.2f} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
 /// With M for a million.
@@ -27,14 +27,13 @@ std::string row(const MethodResult& m, double hard) {
   const std::string ratio =
       std::isfinite(hard) ? fmt::format("{:.2f}", cost.seconds.median / hard) : "-";
   const std::string equal =
-      m.equal_area
-          ? fmt::format("{} in {}", count_text(static_cast<double>(m.equal_area->points)),
-                        time_text(m.equal_area->seconds))
-          : "-";
-  return fmt::format("{:<14} {:>8.4f} {:>8.4f} {:>+8.4f} {:>6.1f}% {:>6.4f} {:>6.4f} {:>8} {:>6} {}\n",
-                     m.call.text.name, e.penumbra_rmse, e.rmse, e.penumbra_bias,
-                     100 * e.far_off_share(), m.flip, m.ssim.value_or(NAN),
-                     time_text(cost.seconds.median), ratio, equal);
+      m.equal_area ? fmt::format("{} in {}", count_text(static_cast<double>(m.equal_area->points)),
+                                 time_text(m.equal_area->seconds))
+                   : "-";
+  return fmt::format(
+      "{:<14} {:>8.4f} {:>8.4f} {:>+8.4f} {:>6.1f}% {:>6.4f} {:>6.4f} {:>8} {:>6} {}\n",
+      m.call.text.name, e.penumbra_rmse, e.rmse, e.penumbra_bias, 100 * e.far_off_share(), m.flip,
+      m.ssim.value_or(NAN), time_text(cost.seconds.median), ratio, equal);
 }
 
 double seconds_of_hard(const Comparison& c) {
@@ -70,8 +69,8 @@ std::string sweep_text(const Sweep& sweep) {
 
 std::string table_text(const Comparison& c) {
   std::string out = reference_text(c);
-  out += fmt::format("{:<14} {:^26} {:>7} {:>6} {:>6} {:>8} {:>6} {}\n", "", "-- visible fraction --",
-                     "off by", "", "", "one", "", "same error by area");
+  out += fmt::format("{:<14} {:^26} {:>7} {:>6} {:>6} {:>8} {:>6} {}\n", "",
+                     "-- visible fraction --", "off by", "", "", "one", "", "same error by area");
   out += fmt::format("{:<14} {:>8} {:>8} {:>8} {:>7} {:>6} {:>6} {:>8} {:>6} {}\n", "method",
                      "penumbra", "all", "bias", "> 0.1", "FLIP", "SSIM", "picture", "x hard",
                      "points, time");
