@@ -111,6 +111,8 @@ void take_all_methods(Arguments& a) {
 
 void run_compare(Arguments& a, Console& console) {
   take_all_methods(a);
+  RenderOptions& o = a.render;
+  o.want_visibility = o.want_depth = o.want_normal = o.want_error = o.want_steps = false;
   check_picture_fits(a, a.lights.size());
   warn_of_idle_options(a, console);
   const Stopwatch load;

@@ -121,12 +121,12 @@ Measured measure(const Scene& scene, const MakeDrawer& make, const Reference& re
   if (!drawn.result.stats.device.empty()) out.device = drawn.result.stats.device;
   std::vector<Lap> laps;
   double spent = 0;
-  // What takes so long needs no warming up: layers cost it nothing that shows.
-  if (warm_up.both() > options.enough) laps.push_back(warm_up), spent = warm_up.both();
+  // What takes so long needs no warming up, and layers cost it nothing that shows, unless visible
+  // fractions are textures of their own.
+  if (warm_up.both() > options.enough && !drawn.drawer->texel_samples()) laps.push_back(warm_up), spent = warm_up.both();
   const RenderOptions timed = bare(options.picture);
   set_counts(scene, timed, drawn, out.cost);
-  for (int i = 0; i < options.repeats && (i == 0 || spent < options.enough); ++i) {
-    if (spent >= options.enough) break;
+  for (int i = 0; i < options.repeats && spent < options.enough; ++i) {
     drawn = {};
     drawn = draw_once(scene, make, timed);
     set_counts(scene, timed, drawn, out.cost);
@@ -137,7 +137,6 @@ Measured measure(const Scene& scene, const MakeDrawer& make, const Reference& re
   if (options.want_picture) {
     Progress silent;
     RenderOptions picture = options.picture;
-    picture.want_visibility = drawn.result.visibility.size() > 0;
     const auto begin = Clock::now();
     out.picture = drawn.drawer->draw(picture, silent);
     out.cost.picture = seconds_since(begin);
