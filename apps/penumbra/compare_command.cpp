@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.h"
@@ -50,10 +51,15 @@ void find_reference(const Arguments& a, const Scene& scene, const World& world,
   const report::FileState state = load_reference(file, key, c.reference);
   if (state == report::FileState::damaged)
     console.warn(fmt::format("{}: the kept reference is damaged; it is made again", file));
+  if (const auto done = std::count(c.reference.tiles.begin(), c.reference.tiles.end(), 1);
+      done > 0 && !c.reference.complete())
+    console.remark(fmt::format("the reference goes on where it was stopped, {} % done",
+                               100 * static_cast<std::size_t>(done) / c.reference.tiles.size()));
   c.reference_was_cached = c.reference.complete();
   if (c.reference_was_cached) return;
   const auto save = [&](const report::Reference& r) { save_reference(file, key, r); };
-  complete_reference(world, c.reference_options, c.reference, save, console);
+  if (std::find(c.reference.tiles.begin(), c.reference.tiles.end(), 0) != c.reference.tiles.end())
+    complete_reference(world, c.reference_options, c.reference, save, console);
   if (std::find(c.reference.surface.begin(), c.reference.surface.end(), 1) ==
       c.reference.surface.end())
     throw InputError({a.scene}, "the camera sees no surface, so there is nothing to compare",

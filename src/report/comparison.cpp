@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -91,13 +92,20 @@ void compare_methods(const Scene& scene, const World& world, const std::vector<M
   progress.start("equal area", 0);
   RenderOptions picture = calls.front().options;
   picture.exposure_ev = comparison.exposure_ev;
-  const AreaCurve curve = measure_area_curve(scene, world, make, comparison.reference, picture,
-                                             seconds_of_area(comparison.methods));
+  AreaCurve curve;
+  try {
+    curve = measure_area_curve(scene, world, make, comparison.reference, picture,
+                               seconds_of_area(comparison.methods));
+  } catch (const Error&) {
+    // Nor can the device draw area lights: there is nothing to exchange for.
+  }
   for (MethodResult& m : comparison.methods)
     if (m.ok()) m.equal_area = equal_area(curve, m.measured.errors.all.penumbra_rmse);
   progress.finish();
-  comparison.advice =
-      advise(candidates_of(comparison.methods, curve, limit), limit, !curve.points.empty());
+  const bool has_penumbra = std::ranges::any_of(comparison.methods, [](const MethodResult& m) {
+    return m.measured.errors.all.penumbra_points > 0;
+  });
+  comparison.advice = advise(candidates_of(comparison.methods, curve, limit), limit, has_penumbra);
 }
 
 }  // namespace penumbra::report

@@ -123,7 +123,8 @@ Measured measure(const Scene& scene, const MakeDrawer& make, const Reference& re
   double spent = 0;
   // What takes so long needs no warming up, and layers cost it nothing that shows, unless visible
   // fractions are textures of their own.
-  if (warm_up.both() > options.enough && !drawn.drawer->texel_samples()) laps.push_back(warm_up), spent = warm_up.both();
+  if (warm_up.both() > options.enough && !drawn.drawer->texel_samples())
+    laps.push_back(warm_up), spent = warm_up.both();
   const RenderOptions timed = bare(options.picture);
   set_counts(scene, timed, drawn, out.cost);
   for (int i = 0; i < options.repeats && spent < options.enough; ++i) {
