@@ -38,7 +38,7 @@ function row(shown: Shown, results: Results, data: VisibilityStore, picture: Siz
   const perLight = lights > 1 ? results.scene.lights.map((_, i) => h('td', {'data-value': `light-${i}`})) : [];
   const values = [mean, error, ...perLight];
   const note = h('td', {class: 'note', colspan: values.length});
-  const head = h('th', {scope: 'row'}, patch, h('span', {class: 'method'}, shown.name), side);
+  const head = h('th', {scope: 'row'}, patch, h('span', {}, h('span', {class: 'method'}, shown.name), side));
   const element = h('tr', {'data-method': shown.name}, head, ...values);
 
   const draw = (state: Readonly<State>): void => {

@@ -1,15 +1,15 @@
 import {h} from './dom.js';
 import {loupe} from './loupe.js';
-import {foot, methods, sceneLine} from './methods.js';
+import {foot, methods, sceneLine, sentence} from './methods.js';
 import {plots} from './plots.js';
 import {readResults, type Results} from './results.js';
 import {sheet} from './sheet.js';
 import {shownOf} from './sources.js';
 import {stage} from './stage.js';
-import {Store} from './state.js';
+import {Store, type State} from './state.js';
 import {lightTable, table} from './table.js';
 import {LockedView} from './view.js';
-import {VisibilityStore} from './visibility.js';
+import {furthestApart, Visibility, VisibilityStore} from './visibility.js';
 
 /** The advised method against the reference, seen whole, the loupe in the middle. */
 function startOf(results: Results): Store {
@@ -39,7 +39,7 @@ function build(results: Results, page: HTMLElement): void {
     h('header', {},
       h('h1', {}, results.scene.file),
       h('p', {class: 'scene'}, sceneLine(results)),
-      results.advice ? h('p', {class: 'advice'}, results.advice.text) : null),
+      results.advice ? h('p', {class: 'advice'}, sentence(results.advice.text)) : null),
     section('pictures', 'Pictures',
       h('div', {class: 'bench'}, stage(results, store, view, picture), loupe(results, store, data, picture)),
       sheet(results, store, view, picture)),
@@ -48,7 +48,15 @@ function build(results: Results, page: HTMLElement): void {
     section('about', 'Methods', methods(results)),
     h('footer', {'aria-labelledby': 'how'}, h('h2', {id: 'how'}, 'How this was made'), foot(results)));
   store.redraw();
-  void data.load(shownOf(results));
+  const middle = store.state.pixel;
+  void data.load(shownOf(results)).then(() => { pointWhereTheyDiffer(results, store, data, middle); });
+}
+
+/** Puts the loupe, unless it has been moved, where the methods are furthest apart. */
+function pointWhereTheyDiffer(results: Results, store: Store, data: VisibilityStore, middle: State['pixel']): void {
+  const loaded = shownOf(results).map(shown => data.get(shown.name)).filter(one => one instanceof Visibility);
+  const pixel = furthestApart(loaded);
+  if (pixel && store.state.pixel === middle) store.update({pixel});
 }
 
 const page = document.getElementById('page');

@@ -20,7 +20,7 @@ function picker(results: Results, store: Store, side: 'left' | 'right'): HTMLEle
       .map(method => h('option', {disabled: true}, `${method.name} (failed)`)));
   select.addEventListener('change', () => { store.update({[side]: select.value}); });
   store.onDraw(state => { select.value = state[side]; });
-  return h('label', {class: 'picker'}, side === 'left' ? 'Left' : 'Right', select);
+  return h('div', {class: 'picker'}, h('label', {for: select.id}, side === 'left' ? 'Left' : 'Right'), select);
 }
 
 function keys(event: KeyboardEvent, frame: HTMLElement, view: LockedView, store: Store): boolean {
@@ -38,7 +38,7 @@ function keys(event: KeyboardEvent, frame: HTMLElement, view: LockedView, store:
 }
 
 function frameOf(results: Results, store: Store, view: LockedView, picture: Size): HTMLElement {
-  const left = new Layer(picture), right = new Layer(picture), square = marker();
+  const left = new Layer(picture, 'layer left'), right = new Layer(picture, 'layer right'), square = marker();
   const names = {left: h('span', {class: 'name left'}), right: h('span', {class: 'name right'})};
   const frame = h('div', {
     class: 'frame', id: 'stage', tabindex: 0, role: 'application',
@@ -58,7 +58,7 @@ function frameOf(results: Results, store: Store, view: LockedView, picture: Size
     left.place(state, size);
     right.place(state, size);
     square.place(state, picture, size);
-    right.element.style.clipPath = `inset(0 0 0 ${100 * state.divider}%)`;
+    frame.style.setProperty('--divider', `${100 * state.divider}%`);
     names.left.textContent = state.left;
     names.right.textContent = state.right;
     names.left.hidden = state.divider < 0.12;

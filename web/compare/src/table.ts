@@ -72,9 +72,9 @@ export function table(results: Results): HTMLElement {
   }
   draw();
   return h('div', {},
+    h('p', {class: 'caption'}, 'Errors are of the visible fraction, against the reference. Press a heading to sort.'),
     h('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of errors and costs'},
       h('table', {id: 'methods'},
-        h('caption', {}, 'Errors are of the visible fraction, against the reference. Press a heading to sort.'),
         h('thead', {}, h('tr', {class: 'groups'}, h('td'), ...groupCells()), h('tr', {}, ...heads)),
         body, h('tfoot', {}, referenceRow(results)))),
     meanings());
