@@ -118,7 +118,7 @@ test('the loupe shows the visible fractions of the files', async () => {
     const at = await placeOf(page, x, y);
     await page.mouse.move(at.x, at.y);
     await frames(page);
-    assert.equal(await page.locator('#loupe .place').innerText(), `x ${x}, y ${y}`);
+    assert.equal(await page.locator('#loupe .place').innerText(), `x ${x}, y ${y}${truth.mean(x, y) === null ? ': no surface' : ''}`);
     for (const name of shown) {
       const data = dataOf(folder, name), seen = data.mean(x, y), expected = truth.mean(x, y);
       const shownMean = await cell(page, name, 'mean');
@@ -217,6 +217,36 @@ test('any method comes to either side, and failed ones to none', async () => {
     await frames(page);
     assert.equal(await page.locator('#stage .layer.right img').getAttribute('src'), part);
   }
+  await done(opened);
+});
+
+test('visible fractions and errors of one light', async () => {
+  const opened = await open(folder), {page} = opened, data = dataOf(folder, 'parker'), truth = dataOf(folder, 'reference');
+  await page.getByRole('button', {name: 'Show parker on the left'}).click();
+  assert.equal(await page.locator('#pick-light').isVisible(), false);
+  let pixel = {x: 0, y: 0}, value = 0, error = 0;
+  for (let y = 20; y < data.height - 20; ++y)
+    for (let x = 20; x < 130; ++x) {
+      const seen = data.at(x, y, 1), expected = truth.at(x, y, 1);
+      if (seen === null || expected === null || seen - expected > -0.5) continue;
+      pixel = {x, y};
+      value = seen;
+      error = seen - expected;
+    }
+  assert.ok(error < -0.5);
+  await page.getByText('Visible fraction', {exact: true}).first().click();
+  await page.locator('#pick-light').selectOption('fill');
+  const shows = async (colour: number[]): Promise<void> => {
+    await page.waitForFunction(() => [...document.querySelectorAll('#stage img')].every(i => i.closest('.right') ?? (i.getAttribute('src')?.startsWith('blob:') && (i as HTMLImageElement).complete)));
+    await frames(page);
+    const at = await placeOf(page, pixel.x, pixel.y), seen = await colourAt(page, at.x, at.y);
+    seen.forEach((channel, i) => { assert.ok(Math.abs(channel - (colour[i] ?? NaN)) < 2, `${seen.join()} for ${colour.join()}`); });
+  };
+  await shows([255 * value, 255 * value, 255 * value]);
+  await page.getByText('Error', {exact: true}).first().click();
+  await page.waitForFunction(old => document.querySelector('#stage .left img')?.getAttribute('src') !== old,
+    await page.locator('#stage .left img').getAttribute('src'));
+  await shows([5, 48, 97]);
   await done(opened);
 });
 

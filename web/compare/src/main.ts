@@ -4,7 +4,7 @@ import {foot, methods, sceneLine, sentence} from './methods.js';
 import {plots} from './plots.js';
 import {readResults, type Results} from './results.js';
 import {sheet} from './sheet.js';
-import {shownOf} from './sources.js';
+import {shownOf, Sources} from './sources.js';
 import {stage} from './stage.js';
 import {Store, type State} from './state.js';
 import {lightTable, table} from './table.js';
@@ -30,8 +30,9 @@ function section(id: string, title: string, ...parts: (HTMLElement | null)[]): H
 
 function build(results: Results, page: HTMLElement): void {
   const picture = {width: results.scene.width, height: results.scene.height};
-  const store = startOf(results), view = new LockedView(store, picture);
-  const data = new VisibilityStore(() => { store.redraw(); });
+  const store = startOf(results), redraw = (): void => { store.redraw(); };
+  const view = new LockedView(store, picture), data = new VisibilityStore(redraw);
+  const parts = {results, picture, store, view, data, sources: new Sources(results, data, redraw)};
   const aspect = Math.min(4, Math.max(0.6, picture.width / picture.height));
   document.title = `${results.scene.file}: soft shadows compared`;
   page.style.setProperty('--aspect', String(aspect));
@@ -41,8 +42,8 @@ function build(results: Results, page: HTMLElement): void {
       h('p', {class: 'scene'}, sceneLine(results)),
       results.advice ? h('p', {class: 'advice'}, sentence(results.advice.text)) : null),
     section('pictures', 'Pictures',
-      h('div', {class: 'bench'}, stage(results, store, view, picture), loupe(results, store, data, picture)),
-      sheet(results, store, view, picture)),
+      h('div', {class: 'bench'}, stage(parts), loupe(parts)),
+      sheet(parts)),
     section('numbers', 'Errors and costs', table(results), lightTable(results)),
     section('plots', 'Plots', plots(results)),
     section('about', 'Methods', methods(results)),

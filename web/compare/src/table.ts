@@ -55,7 +55,7 @@ function meanings(): HTMLElement {
 export function table(results: Results): HTMLElement {
   const body = h('tbody');
   const all = [byName, ...columns];
-  const heads = all.map(c => h('th', {scope: 'col'}, button({}, () => { press(c); }, c.head, h('span', {class: 'order', 'aria-hidden': 'true'}))));
+  const heads = all.map(c => h('th', {scope: 'col'}, button({}, () => { press(c); }, h('span', {class: 'order', 'aria-hidden': 'true'}), c.head)));
   let order: Order = 'ascending', by = columns[0] ?? byName;
 
   function draw(): void {

@@ -16,6 +16,12 @@ export class Visibility {
     readonly width: number, readonly height: number, readonly lights: number, readonly bytes: Uint8Array,
   ) {}
 
+  /** The bytes of one light. */
+  plane(light: number): Uint8Array {
+    const size = this.width * this.height;
+    return this.bytes.subarray(light * size, (light + 1) * size);
+  }
+
   /** In [0, 1]; null where there is no surface. */
   at(x: number, y: number, light: number): number | null {
     const byte = this.bytes[(light * this.height + y) * this.width + x];
