@@ -69,7 +69,7 @@ function writeData(folder: string, name: string, wish: Wish, planes: Float64Arra
 
 function writePictures(folder: string, name: string, wish: Wish): Drawn {
   const {width, height} = wish, {planes, picture} = draw(name, width, height, wish.lamps), means = meanPlane(planes);
-  const grey = (v: number): number[] => isNaN(v) ? [128, 118, 108] : [255 * v, 255 * v, 255 * v];
+  const grey = (v: number): number[] => isNaN(v) ? [128, 128, 128] : [255 * v, 255 * v, 255 * v];
   writeFileSync(join(folder, 'pictures', `${name}.png`), png(width, height, (x, y) => picture[y * width + x] ?? []));
   writeFileSync(join(folder, 'visibility', `${name}.png`), png(width, height, (x, y) => grey(means[y * width + x] ?? NaN)));
   writeData(folder, name, wish, planes);
@@ -89,7 +89,7 @@ function methodOf(folder: string, name: string, wish: Wish, truth: Drawn): Metho
   const {planes, means} = writePictures(folder, name, wish), {width, height} = wish;
   writeFileSync(join(folder, 'errors', `${name}.png`), png(width, height, (x, y) => {
     const error = (means[y * width + x] ?? NaN) - (truth.means[y * width + x] ?? NaN);
-    return isNaN(error) ? [128, 118, 108] : errorColour(error, 0.5);
+    return isNaN(error) ? [128, 128, 128] : errorColour(error, 0.5);
   }));
   const error = measured(means, truth.means), points = Math.max(1, Math.round((0.9 / ((error.penumbra.rmse ?? 1) + 0.01)) ** 1.3));
   const sdf = name.startsWith('sdf');

@@ -36,7 +36,7 @@ function meet(origin: V, direction: V): {point: V; normal: V; colour: V; ball: B
     hit = ball;
   }
   const floor = -origin[1] / direction[1];
-  if (floor > 0 && floor < nearest && floor < 40)
+  if (floor > 0 && floor < nearest && floor < 13)
     return {point: along(origin, direction, floor), normal: [0, 1, 0], colour: [0.72, 0.7, 0.66], ball: null};
   if (!hit) return null;
   const point = along(origin, direction, nearest);

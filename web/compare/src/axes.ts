@@ -24,7 +24,7 @@ export function axis(values: number[], log: boolean, from: number, to: number): 
   const low = usable.length > 0 ? Math.min(...usable) : log ? 0.1 : 0;
   const high = usable.length > 0 ? Math.max(...usable) : 1;
   if (log) {
-    const room = Math.max(1.25, (high / low) ** 0.06);
+    const room = Math.max(1.25, (high / low) ** 0.1);
     return {log, low: low / room, high: high * room, from, to};
   }
   const room = 0.05 * (high - low) || 0.5 * Math.abs(high) || 0.5;

@@ -35,7 +35,6 @@ export function divider(store: Store, frame: HTMLElement): HTMLElement {
   });
   store.onDraw(({divider: value, left, right}) => {
     const percent = Math.round(100 * value);
-    element.style.left = `${100 * value}%`;
     element.setAttribute('aria-valuenow', String(percent));
     element.setAttribute('aria-valuetext', `${percent} %: ${left} on the left, ${right} on the right`);
   });

@@ -1,7 +1,7 @@
 // One picture in a frame, placed by the shared view.
 import {h} from './dom.js';
 import type {Shown} from './results.js';
-import {sourceOf} from './sources.js';
+import type {Sources} from './sources.js';
 import type {State} from './state.js';
 import {placement, type Size} from './view.js';
 
@@ -14,7 +14,7 @@ export class Layer {
   private readonly note = h('p', {class: 'note'});
   private file = '';
 
-  constructor(private readonly picture: Size, className = 'layer') {
+  constructor(private readonly picture: Size, private readonly sources: Sources, className = 'layer') {
     this.image.width = picture.width;
     this.image.height = picture.height;
     this.element = h('div', {class: className}, this.image, this.note);
@@ -22,7 +22,7 @@ export class Layer {
   }
 
   show(shown: Shown, state: Readonly<State>): void {
-    const source = sourceOf(shown, state.kind);
+    const source = this.sources.of(shown, state);
     if ('file' in source) {
       if (source.file !== this.file) this.load(source.file, `${shown.name}: ${state.kind}`);
     } else {

@@ -4,8 +4,13 @@ import {fixed, signed} from './numbers.js';
 import type {Results} from './results.js';
 import type {Store} from './state.js';
 
-/** Colours of signed errors from -scale to +scale: between them straight lines in sRGB. */
-export const errorColours = ['#0b3c8c', '#6fa3dc', '#f2f2f2', '#eda55d', '#8f3d00'] as const;
+/**
+ * Colours of signed errors from -scale to +scale, as src/compare/error_map.cpp has them: RdBu's blues
+ * and PuOr's oranges of Brewer's ColorBrewer 2.0 (2002); between them straight lines in sRGB.
+ */
+export const errorColours = [
+  '#053061', '#2166ac', '#4393c3', '#92c5de', '#d1e5f0', '#f7f7f7', '#fee0b6', '#fdb863', '#e08214', '#b35806', '#7f3b08',
+] as const;
 
 const channels = (colour: string): number[] => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16));
 
@@ -32,7 +37,8 @@ function bar(scale: Scale): HTMLElement {
     s('path', {d: 'M0 14v5', class: 'tick'}), s('text', {y: 31, 'text-anchor': 'middle'}, text)));
   return h('figure', {class: 'legend'},
     h('figcaption', {}, scale.title),
-    h('div', {class: 'ends'}, h('span', {}, scale.ends[0]), h('span', {}, scale.ends[1])),
+    h('div', {class: 'ends'}, h('span', {}, scale.ends[0]),
+      h('span', {}, h('i', {class: 'nothing'}), 'no surface'), h('span', {}, scale.ends[1])),
     s('svg', {viewBox: '0 0 320 34', role: 'img', 'aria-label': `${scale.title}: ${scale.ends.join(' to ')}, ` +
       scale.ticks.map(([, text]) => text).join(', ')},
     s('defs', {}, s('linearGradient', {id: scale.id}, ...stops)),

@@ -1,15 +1,15 @@
 import {h} from './dom.js';
 import {loupe} from './loupe.js';
-import {foot, methods, sceneLine} from './methods.js';
+import {foot, methods, sceneLine, sentence} from './methods.js';
 import {plots} from './plots.js';
 import {readResults, type Results} from './results.js';
 import {sheet} from './sheet.js';
-import {shownOf} from './sources.js';
+import {shownOf, Sources} from './sources.js';
 import {stage} from './stage.js';
-import {Store} from './state.js';
+import {Store, type State} from './state.js';
 import {lightTable, table} from './table.js';
 import {LockedView} from './view.js';
-import {VisibilityStore} from './visibility.js';
+import {furthestApart, Visibility, VisibilityStore} from './visibility.js';
 
 /** The advised method against the reference, seen whole, the loupe in the middle. */
 function startOf(results: Results): Store {
@@ -30,8 +30,9 @@ function section(id: string, title: string, ...parts: (HTMLElement | null)[]): H
 
 function build(results: Results, page: HTMLElement): void {
   const picture = {width: results.scene.width, height: results.scene.height};
-  const store = startOf(results), view = new LockedView(store, picture);
-  const data = new VisibilityStore(() => { store.redraw(); });
+  const store = startOf(results), redraw = (): void => { store.redraw(); };
+  const view = new LockedView(store, picture), data = new VisibilityStore(redraw);
+  const parts = {results, picture, store, view, data, sources: new Sources(results, data, redraw)};
   const aspect = Math.min(4, Math.max(0.6, picture.width / picture.height));
   document.title = `${results.scene.file}: soft shadows compared`;
   page.style.setProperty('--aspect', String(aspect));
@@ -39,16 +40,24 @@ function build(results: Results, page: HTMLElement): void {
     h('header', {},
       h('h1', {}, results.scene.file),
       h('p', {class: 'scene'}, sceneLine(results)),
-      results.advice ? h('p', {class: 'advice'}, results.advice.text) : null),
+      results.advice ? h('p', {class: 'advice'}, sentence(results.advice.text)) : null),
     section('pictures', 'Pictures',
-      h('div', {class: 'bench'}, stage(results, store, view, picture), loupe(results, store, data, picture)),
-      sheet(results, store, view, picture)),
+      h('div', {class: 'bench'}, stage(parts), loupe(parts)),
+      sheet(parts)),
     section('numbers', 'Errors and costs', table(results), lightTable(results)),
     section('plots', 'Plots', plots(results)),
     section('about', 'Methods', methods(results)),
     h('footer', {'aria-labelledby': 'how'}, h('h2', {id: 'how'}, 'How this was made'), foot(results)));
   store.redraw();
-  void data.load(shownOf(results));
+  const middle = store.state.pixel;
+  void data.load(shownOf(results)).then(() => { pointWhereTheyDiffer(results, store, data, middle); });
+}
+
+/** Puts the loupe, unless it has been moved, where the methods are furthest apart. */
+function pointWhereTheyDiffer(results: Results, store: Store, data: VisibilityStore, middle: State['pixel']): void {
+  const loaded = shownOf(results).map(shown => data.get(shown.name)).filter(one => one instanceof Visibility);
+  const pixel = furthestApart(loaded);
+  if (pixel && store.state.pixel === middle) store.update({pixel});
 }
 
 const page = document.getElementById('page');

@@ -1,11 +1,11 @@
 // What each method is, and the facts at the foot of the page.
 import {copyLine, h, link} from './dom.js';
-import {count, fixed, percent, seconds} from './numbers.js';
+import {count, figures, fixed, percent} from './numbers.js';
 import type {Method, Results} from './results.js';
 
 function phases(method: Method): string | null {
   const parts = (method.cost?.phases ?? []).filter(p => p.seconds !== null);
-  return parts.length === 0 ? null : parts.map(p => `${p.name} ${seconds(p.seconds)} s`).join(', ');
+  return parts.length === 0 ? null : parts.map(p => `${p.name} ${figures(p.seconds)} s`).join(', ');
 }
 
 function fact(term: string, text: string | null): HTMLElement[] {
@@ -39,13 +39,18 @@ export function foot(results: Results): HTMLElement {
   return h('div', {},
     h('dl', {class: 'facts'},
       ...fact('Reference', `area, ${count(r.points_mean)} points a pixel in the mean, ${count(r.points_most)} at most, ` +
-        `${seconds(r.seconds)} s${r.cached ? ', kept from an earlier run' : ''}`),
+        `${figures(r.seconds)} s${r.cached ? ', kept from an earlier run' : ''}`),
       ...fact('Its standard error', `below ${fixed(r.target_standard_error, 3)} at ${percent(r.share_within, 2)} % of pixels`),
       ...fact('Machine', machine(results)),
       ...fact('Versions', versions.join(', ')),
       ...fact('Scene checksum', results.scene.checksum)),
     results.command === null ? null : copyLine(results.command, 'the command of this page'),
     h('p', {}, link('results.json', 'results.json'), ' beside this page holds all of these numbers.'));
+}
+
+/** The advice as a sentence of its own. */
+export function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
 }
 
 /** The scene in one line. */

@@ -28,12 +28,6 @@ export function figures(value: Maybe | undefined): string {
   return minus(String(Number(value.toPrecision(3))));
 }
 
-/** Seconds, to the column's decimals: 0.0123, 1.23, 45.6, 312. */
-export function seconds(value: Maybe | undefined): string {
-  if (!known(value)) return unknown;
-  return value >= 100 ? value.toFixed(0) : value.toPrecision(3).includes('e') ? figures(value) : value.toPrecision(3);
-}
-
 /** A count: 12 345 up to a million, then 1.23 M, 4.56 G. */
 export function count(value: Maybe | undefined): string {
   if (!known(value)) return unknown;

@@ -8,7 +8,7 @@ export type Part = 'penumbra' | 'all';
 
 export interface Plot {
   title: string;
-  caption: string;
+  caption?: string;
   draw: (width: number, part: Part) => SVGSVGElement;
 }
 
@@ -20,7 +20,8 @@ function figure(plot: Plot, part: () => Part): {element: HTMLElement; redraw: ()
     if (drawn > 0) holder.replaceChildren(plot.draw(drawn, part()));
   };
   new ResizeObserver(() => { if (Math.floor(holder.clientWidth) !== drawn) redraw(); }).observe(holder);
-  return {element: h('figure', {}, h('h3', {}, plot.title), holder, h('figcaption', {}, plot.caption)), redraw};
+  return {element: h('figure', {}, h('h3', {}, plot.title), holder,
+    plot.caption === undefined ? null : h('figcaption', {}, plot.caption)), redraw};
 }
 
 export function plots(results: Results): HTMLElement {

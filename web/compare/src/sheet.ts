@@ -2,13 +2,12 @@
 import {button, h} from './dom.js';
 import {Gestures, sizeOf} from './gestures.js';
 import {Layer, marker} from './layer.js';
-import type {Results, Shown} from './results.js';
+import type {Parts} from './parts.js';
+import type {Shown} from './results.js';
 import {shownOf} from './sources.js';
-import type {Store} from './state.js';
-import type {LockedView, Size} from './view.js';
 
-function pane(shown: Shown, store: Store, view: LockedView, picture: Size): HTMLElement {
-  const layer = new Layer(picture), square = marker();
+function pane(shown: Shown, {store, view, picture, sources}: Parts): HTMLElement {
+  const layer = new Layer(picture, sources), square = marker();
   const frame = h('div', {class: 'frame'}, layer.element, square.element);
   new Gestures(frame, view, store);
   const sides = (['left', 'right'] as const).map(side => {
@@ -28,6 +27,6 @@ function pane(shown: Shown, store: Store, view: LockedView, picture: Size): HTML
     h('figcaption', {}, h('span', {class: 'method'}, shown.name), ...sides));
 }
 
-export function sheet(results: Results, store: Store, view: LockedView, picture: Size): HTMLElement {
-  return h('div', {class: 'sheet'}, ...shownOf(results).map(shown => pane(shown, store, view, picture)));
+export function sheet(parts: Parts): HTMLElement {
+  return h('div', {class: 'sheet'}, ...shownOf(parts.results).map(shown => pane(shown, parts)));
 }

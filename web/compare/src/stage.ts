@@ -4,8 +4,9 @@ import {button, choice, h} from './dom.js';
 import {Gestures, sizeOf} from './gestures.js';
 import {Layer, marker} from './layer.js';
 import {legend} from './legend.js';
-import type {Results} from './results.js';
-import {findShown, shownOf} from './sources.js';
+import type {Parts} from './parts.js';
+import {lightNames} from './results.js';
+import {shownOf} from './sources.js';
 import type {Kind, Store} from './state.js';
 import type {LockedView, Size} from './view.js';
 
@@ -13,14 +14,26 @@ const arrows: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1],
 };
 
-function picker(results: Results, store: Store, side: 'left' | 'right'): HTMLElement {
+function picker({results, store}: Parts, side: 'left' | 'right'): HTMLElement {
   const select = h('select', {id: `pick-${side}`},
     ...shownOf(results).map(shown => h('option', {value: shown.name}, shown.name)),
     ...results.methods.filter(method => method.status !== 'ok')
       .map(method => h('option', {disabled: true}, `${method.name} (failed)`)));
   select.addEventListener('change', () => { store.update({[side]: select.value}); });
   store.onDraw(state => { select.value = state[side]; });
-  return h('label', {class: 'picker'}, side === 'left' ? 'Left' : 'Right', select);
+  return h('div', {class: 'picker'}, h('label', {for: select.id}, side === 'left' ? 'Left' : 'Right'), select);
+}
+
+/** Which light the visible fractions and errors are of, where there are several. */
+function lightPicker({results, store}: Parts): HTMLElement | null {
+  const names = lightNames(results);
+  if (names.length < 2) return null;
+  const select = h('select', {id: 'pick-light'}, h('option', {value: ''}, 'mean of all'),
+    ...names.map((name, i) => h('option', {value: i}, name)));
+  select.addEventListener('change', () => { store.update({light: select.value === '' ? null : Number(select.value)}); });
+  const element = h('div', {class: 'picker'}, h('label', {for: select.id}, 'Light'), select);
+  store.onDraw(({kind}) => { element.hidden = kind === 'picture'; });
+  return element;
 }
 
 function keys(event: KeyboardEvent, frame: HTMLElement, view: LockedView, store: Store): boolean {
@@ -37,8 +50,8 @@ function keys(event: KeyboardEvent, frame: HTMLElement, view: LockedView, store:
   return true;
 }
 
-function frameOf(results: Results, store: Store, view: LockedView, picture: Size): HTMLElement {
-  const left = new Layer(picture), right = new Layer(picture), square = marker();
+function frameOf({store, view, picture, sources}: Parts): HTMLElement {
+  const left = new Layer(picture, sources, 'layer left'), right = new Layer(picture, sources, 'layer right'), square = marker();
   const names = {left: h('span', {class: 'name left'}), right: h('span', {class: 'name right'})};
   const frame = h('div', {
     class: 'frame', id: 'stage', tabindex: 0, role: 'application',
@@ -53,12 +66,12 @@ function frameOf(results: Results, store: Store, view: LockedView, picture: Size
   new ResizeObserver(() => { store.redraw(); }).observe(frame);
   store.onDraw(state => {
     const size = sizeOf(frame);
-    left.show(findShown(results, state.left), state);
-    right.show(findShown(results, state.right), state);
+    left.show(sources.find(state.left), state);
+    right.show(sources.find(state.right), state);
     left.place(state, size);
     right.place(state, size);
     square.place(state, picture, size);
-    right.element.style.clipPath = `inset(0 0 0 ${100 * state.divider}%)`;
+    frame.style.setProperty('--divider', `${100 * state.divider}%`);
     names.left.textContent = state.left;
     names.right.textContent = state.right;
     names.left.hidden = state.divider < 0.12;
@@ -68,7 +81,7 @@ function frameOf(results: Results, store: Store, view: LockedView, picture: Size
   return frame;
 }
 
-function zoomButtons(frame: HTMLElement, view: LockedView, store: Store): HTMLElement {
+function zoomButtons(frame: HTMLElement, {view, store}: Parts): HTMLElement {
   const level = h('output', {class: 'level', 'aria-label': 'Zoom'});
   store.onDraw(state => { level.textContent = `${state.zoom.toFixed(1)}×`; });
   const size = (): Size => sizeOf(frame);
@@ -80,18 +93,19 @@ function zoomButtons(frame: HTMLElement, view: LockedView, store: Store): HTMLEl
     button({'aria-label': 'Actual size'}, () => { view.actualSize(size()); }, '1:1'));
 }
 
-export function stage(results: Results, store: Store, view: LockedView, picture: Size): HTMLElement {
-  const frame = frameOf(results, store, view, picture);
+export function stage(parts: Parts): HTMLElement {
+  const {results, store} = parts, frame = frameOf(parts);
   const kinds: [Kind, string][] = [['picture', 'Picture'], ['visibility', 'Visible fraction'], ['error', 'Error']];
   return h('div', {class: 'stage'},
     h('div', {class: 'controls'},
-      picker(results, store, 'left'),
+      picker(parts, 'left'),
       button({class: 'swap', 'aria-label': 'Swap left and right'}, () => {
         store.update({left: store.state.right, right: store.state.left});
       }, '⇄'),
-      picker(results, store, 'right'),
+      picker(parts, 'right'),
       choice('Show', kinds, store.state.kind, kind => { store.update({kind: kind as Kind}); }),
-      zoomButtons(frame, view, store)),
+      lightPicker(parts),
+      zoomButtons(frame, parts)),
     frame,
     legend(results, store));
 }

@@ -57,14 +57,12 @@ export function sweepPlots(results: Results): Plot[] {
   return (results.sweeps ?? []).flatMap(sweep => [
     {
       title: `Error over ${sweep.parameter}`,
-      caption: `How the error changes with ${sweep.parameter}.`,
       draw: (width: number, part: Part) => draw(
         curvesOf(results, sweep, m => part === 'penumbra' ? m.penumbra_rmse : m.rmse), sweep, width,
         part === 'penumbra' ? 'RMSE of the visible fraction in penumbrae' : 'RMSE of the visible fraction'),
     },
     {
       title: `Time over ${sweep.parameter}`,
-      caption: `How the time changes with ${sweep.parameter}.`,
       draw: (width: number) => draw(curvesOf(results, sweep, m => m.seconds), sweep, width, 'time, s'),
     },
   ]);

@@ -55,7 +55,7 @@ function meanings(): HTMLElement {
 export function table(results: Results): HTMLElement {
   const body = h('tbody');
   const all = [byName, ...columns];
-  const heads = all.map(c => h('th', {scope: 'col'}, button({}, () => { press(c); }, c.head, h('span', {class: 'order', 'aria-hidden': 'true'}))));
+  const heads = all.map(c => h('th', {scope: 'col'}, button({}, () => { press(c); }, h('span', {class: 'order', 'aria-hidden': 'true'}), c.head)));
   let order: Order = 'ascending', by = columns[0] ?? byName;
 
   function draw(): void {
@@ -72,9 +72,9 @@ export function table(results: Results): HTMLElement {
   }
   draw();
   return h('div', {},
+    h('p', {class: 'caption'}, 'Errors are of the visible fraction, against the reference. Press a heading to sort.'),
     h('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of errors and costs'},
       h('table', {id: 'methods'},
-        h('caption', {}, 'Errors are of the visible fraction, against the reference. Press a heading to sort.'),
         h('thead', {}, h('tr', {class: 'groups'}, h('td'), ...groupCells()), h('tr', {}, ...heads)),
         body, h('tfoot', {}, referenceRow(results)))),
     meanings());

@@ -16,6 +16,12 @@ export class Visibility {
     readonly width: number, readonly height: number, readonly lights: number, readonly bytes: Uint8Array,
   ) {}
 
+  /** The bytes of one light. */
+  plane(light: number): Uint8Array {
+    const size = this.width * this.height;
+    return this.bytes.subarray(light * size, (light + 1) * size);
+  }
+
   /** In [0, 1]; null where there is no surface. */
   at(x: number, y: number, light: number): number | null {
     const byte = this.bytes[(light * this.height + y) * this.width + x];
@@ -33,6 +39,26 @@ export class Visibility {
     }
     return known > 0 ? sum / known : null;
   }
+}
+
+/** Looks at no more than about this many pixels. */
+const mostLooks = 60000;
+
+/** The pixel, on a coarse grid, where the means are furthest apart; null where none has a surface. */
+export function furthestApart(all: Visibility[]): {x: number; y: number} | null {
+  const first = all[0];
+  if (!first) return null;
+  const step = Math.max(1, Math.ceil(Math.sqrt(first.width * first.height / mostLooks)));
+  let best: {x: number; y: number} | null = null, widest = -1;
+  for (let y = step >> 1; y < first.height; y += step)
+    for (let x = step >> 1; x < first.width; x += step) {
+      const means = all.map(one => one.mean(x, y)).filter(mean => mean !== null);
+      const apart = Math.max(...means) - Math.min(...means);
+      if (means.length === 0 || apart <= widest) continue;
+      widest = apart;
+      best = {x, y};
+    }
+  return best;
 }
 
 /** A string says why there is none, or that it is not there yet. */
