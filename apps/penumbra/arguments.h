@@ -7,6 +7,7 @@
 
 #include "bake/bake_options.h"
 #include "bake/plan.h"
+#include "diff_options.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "report/sweep.h"
@@ -15,7 +16,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake, compare };
+enum class Command { render, probe, info, make_new, export_shader, bake, compare, diff };
 
 enum class Device { automatic, cpu, gl };
 
@@ -61,7 +62,8 @@ struct Arguments {
   sdf::ConversionOptions conversion;
   BakeArguments bake;
   CompareArguments compare;
-  bool choose_method = false;             ///< --shadows auto
+  bool choose_method = false;  ///< --shadows auto
+  DiffArguments diff;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

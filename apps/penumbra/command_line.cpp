@@ -16,9 +16,9 @@ namespace penumbra::app {
 namespace {
 
 // In the order of Command.
-constexpr std::array<std::string_view, 7> kCommands{"render", "probe", "info",   "new",
-                                                    "export", "bake",  "compare"};
-constexpr std::array<std::string_view, 2> kLaterCommands{"view", "diff"};
+constexpr std::array<std::string_view, 8> kCommands{"render", "probe", "info",    "new",
+                                                    "export", "bake",  "compare", "diff"};
+constexpr std::array<std::string_view, 1> kLaterCommands{"view"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -98,6 +98,14 @@ void add_export(CLI::App& app, Arguments& a) {
   add_run_options(command, a);
 }
 
+void add_diff(CLI::App& app, Arguments& a) {
+  CLI::App& command = *app.add_subcommand("diff", "Tell how far apart two pictures are");
+  add_file(command, "A", a.diff.reference, "reference: .png or .exr");
+  add_file(command, "B", a.diff.test, "what to compare with it: of the same kind and size");
+  add_diff_options(command, a);
+  command.footer("Exit status: 0 within the limits, 1 beyond, 2 trouble.");
+}
+
 void add_info(CLI::App& app, Arguments& a) {
   CLI::App& command = *app.add_subcommand("info", "Tell what was understood of a scene");
   add_file(command, "SCENE", a.scene, kScenes);
@@ -119,6 +127,7 @@ void build(CLI::App& app, Arguments& a) {
   add_bake(app, a);
   add_compare(app, a);
   add_export(app, a);
+  add_diff(app, a);
   add_info(app, a);
   add_new(app, a);
   app.footer(
@@ -168,6 +177,13 @@ InputError reworded(const CLI::ParseError& error) {
 }
 
 void check_complete(Arguments& a) {
+  if (a.command == Command::diff) {
+    if (a.diff.test.empty())
+      throw InputError(
+          a.diff.reference.empty() ? "no pictures are named" : "one picture is missing",
+          "write penumbra diff A B");
+    return;
+  }
   if (a.scene.empty())
     throw InputError(
         a.command == Command::make_new ? "no file is named" : "no scene is named",

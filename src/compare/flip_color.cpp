@@ -1,7 +1,9 @@
 #include "compare/flip_color.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace penumbra {
 namespace {
@@ -45,10 +47,21 @@ Color3 product(const Matrix3& m, const Color3& v) {
   return out;
 }
 
+// Of a positive number, to 2e-7 of it: a third of the exponent, then two steps of Halley's, which
+// leave the cube of 4 % and the cube of that. (Faster than std::cbrt.)
+float cube_root(float x) {
+  float y = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) / 3 + 0x2a514067u);
+  for (int i = 0; i < 2; ++i) {
+    const float cube = y * y * y;
+    y *= (cube + 2 * x) / (2 * cube + x);
+  }
+  return y;
+}
+
 // CIELAB's curve.
 float lightness(float x) {
   constexpr float delta = 6.0f / 29;
-  return x > delta * delta * delta ? std::cbrt(x) : x / (3 * delta * delta) + 4.0f / 29;
+  return x > delta * delta * delta ? cube_root(x) : x / (3 * delta * delta) + 4.0f / 29;
 }
 
 Color3 hunt_lab_from_xyz(const Color3& xyz) {
