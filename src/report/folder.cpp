@@ -1,7 +1,6 @@
 #include "report/folder.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "compare/error_map.h"
 #include "image/png.h"
 #include "image/srgb.h"
+#include "report/deflate.h"
 #include "report/results_json.h"
 
 namespace penumbra {
@@ -53,16 +53,6 @@ std::string inside_script(const std::string& json) {
   return out;
 }
 
-/// A zlib stream (RFC 1950).
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-            reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
-  out.resize(size);
-  return out;
-}
-
 }  // namespace
 
 Image gray_of(const Fractions& fractions) {
@@ -87,7 +77,7 @@ std::string data_script(const std::string& name, const Fractions& fractions) {
       "\"{}\"}}"
       ");\n",
       name, fractions.front().width, fractions.front().height, fractions.size(),
-      base64(deflated(bytes)));
+      base64(deflated(bytes, 6)));
 }
 
 std::string reference_file(const std::string& folder) {

@@ -1,11 +1,12 @@
-// The file: a mark, the key, the contents' size and digest, then the contents, in the byte order of
-// the machine (another order gives another mark).
+// The file: a mark, the key, the size of the contents, the digest of what follows: the contents as
+// a zlib stream. All in the byte order of the machine (another order gives another mark).
 #include "report/reference_file.h"
 
 #include <cstring>
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "report/deflate.h"
 #include "report/digest.h"
 
 namespace penumbra::report {
@@ -59,13 +60,18 @@ std::uint64_t digest_of(std::string_view text) {
   return d.value();
 }
 
+/// Without and with the picture.
+std::size_t least_bytes(const Reference& r) {
+  return sizeof r.seconds + sizeof r.rays + sizeof r.exposure_ev + r.surface.size() +
+         r.at.size() * sizeof(PointReference) + r.tiles.size();
+}
+std::size_t most_bytes(const Reference& r) {
+  return least_bytes(r) + 3 * r.pixels() * sizeof(float);
+}
+
 /// False if the contents are of another length than such a reference has.
 bool read_contents(std::string_view text, Reference& r) {
-  const std::size_t fields = sizeof r.seconds + sizeof r.rays + sizeof r.exposure_ev +
-                             r.surface.size() + r.at.size() * sizeof(PointReference) +
-                             r.tiles.size();
-  const std::size_t colors = 3 * r.pixels() * sizeof(float);
-  if (text.size() != fields && text.size() != fields + colors) return false;
+  if (text.size() != least_bytes(r) && text.size() != most_bytes(r)) return false;
   Reader reader(text);
   reader.take(r.seconds), reader.take(r.rays), reader.take(r.exposure_ev);
   reader.take(r.surface), reader.take(r.at), reader.take(r.tiles);
@@ -94,24 +100,25 @@ FileState load_reference(const std::string& file, std::uint64_t key, Reference& 
   Header header;
   if (text.size() < sizeof header) return FileState::damaged;
   std::memcpy(&header, text.data(), sizeof header);
-  const std::string_view contents = std::string_view(text).substr(sizeof header);
+  const std::string_view stream = std::string_view(text).substr(sizeof header);
   if (header.mark != mark) return FileState::damaged;
-  if (header.size != contents.size() || header.digest != digest_of(contents))
-    return FileState::damaged;
+  if (header.digest != digest_of(stream)) return FileState::damaged;
   if (header.key != key) return FileState::stale;
   Reference read = reference;
-  if (!read_contents(contents, read)) return FileState::damaged;
+  if (header.size > most_bytes(read)) return FileState::damaged;
+  const std::optional<std::string> contents = inflated(stream, header.size);
+  if (!contents || !read_contents(*contents, read)) return FileState::damaged;
   reference = std::move(read);
   return FileState::usable;
 }
 
 void save_reference(const std::string& file, std::uint64_t key, const Reference& reference) {
   const std::string contents = contents_of(reference);
-  const Header header{mark, key, contents.size(), digest_of(contents)};
+  const std::string stream = deflated(contents, 1);
+  const Header header{mark, key, contents.size(), digest_of(stream)};
   std::string text;
-  text.reserve(sizeof header + contents.size());
   append(text, header);
-  text += contents;
+  text += stream;
   write_file(file, text);
 }
 

@@ -154,14 +154,17 @@ TEST_F(Compare, GoesOnAfterCtrlC) {
                                        "hard",         "--size", "1600x1200", "--spp", "1",
                                        "--light-size", "4",      "--repeats", "1"};
   Running running(PENUMBRA_PROGRAM, words);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  // Made right before the work begins.
+  for (int i = 0; i < 300 && !std::filesystem::exists(out + "/data"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::this_thread::sleep_for(std::chrono::seconds(2));
   ASSERT_EQ(kill(running.id(), SIGINT), 0);
   const Outcome stopped = running.outcome();
   ASSERT_EQ(stopped.status, 130) << stopped.err;
   EXPECT_FALSE(std::filesystem::exists(out + "/results.json"));
   ASSERT_TRUE(std::filesystem::exists(out + "/reference.bin"));
   Running again(PENUMBRA_PROGRAM, words);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  std::this_thread::sleep_for(std::chrono::seconds(4));
   ASSERT_EQ(kill(again.id(), SIGINT), 0);
   EXPECT_THAT(again.outcome().err, HasSubstr("the reference goes on where it was stopped, "));
 }
