@@ -45,7 +45,7 @@ TEST(Folder, DataScriptsHoldPlanesOfBytes) {
     EXPECT_EQ(static_cast<unsigned char>(bytes[0]), 255);
     for (int x = 0; x < width; ++x)
       ASSERT_EQ(static_cast<unsigned char>(bytes[static_cast<std::size_t>(width + x)]),
-                std::lround(254 * (x % 9) / 8.0f));
+                std::lround(254 * static_cast<float>(x % 9) / 8));
     EXPECT_THAT(script, HasSubstr("penumbraData(\"hard\", {\"width\":" + std::to_string(width) +
                                   ",\"height\":1,\"lights\":2,\"bits\":8,"
                                   "\"encoding\":\"deflate\","));
