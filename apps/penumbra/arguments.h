@@ -10,12 +10,13 @@
 #include "diff_options.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
+#include "report/sweep.h"
 #include "scene/scene.h"
 #include "sdf/convert.h"
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake, diff, animate };
+enum class Command { render, probe, info, make_new, export_shader, bake, compare, diff, animate };
 
 enum class Device { automatic, cpu, gl };
 
@@ -43,6 +44,13 @@ struct AnimationArguments {
   bool resume = false;   ///< frames that are there are kept
 };
 
+/// What compare alone is asked.
+struct CompareArguments {
+  std::vector<ShadowKind> methods;  ///< each once; empty = all but none
+  std::optional<int> repeats;
+  std::vector<report::SweepRequest> sweeps;
+};
+
 struct Arguments {
   Command command = Command::render;
   std::string scene;         ///< the scene file; of `new`, the file to write
@@ -61,6 +69,8 @@ struct Arguments {
   bool quiet = false;
   sdf::ConversionOptions conversion;
   BakeArguments bake;
+  CompareArguments compare;
+  bool choose_method = false;  ///< --shadows auto
   DiffArguments diff;
   AnimationArguments animation;
   bool schema = false;                    ///< new: the schema instead of a scene

@@ -34,6 +34,9 @@ int run_command(Arguments& arguments, Console& console) {
     case Command::bake:
       run_bake(arguments, console);
       return 0;
+    case Command::compare:
+      run_compare(arguments, console);
+      return 0;
     case Command::info:
       run_info(arguments);
       return 0;

@@ -21,8 +21,11 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"shadow", {"base", "image", "scene", "sdf", "geometry"}},
       {"render", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow"}},
       {"bake", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render"}},
+      {"report",
+       {"base", "image", "compare", "scene", "sdf", "geometry", "shadow", "render", "bake"}},
       {"apps",
-       {"base", "gl", "image", "compare", "scene", "sdf", "geometry", "shadow", "render", "bake"}},
+       {"base", "gl", "image", "compare", "scene", "sdf", "geometry", "shadow", "render", "bake",
+        "report"}},
   };
   return rooms;
 }
