@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import {after, test} from 'node:test';
 import type {Page} from 'playwright-core';
 import type {Method} from '../../web/compare/src/results.js';
-import {closeBrowser, colourAt, done, frames, makeFolder, open, placeOf} from './browser.js';
+import {closeBrowser, colourAt, done, makeFolder, open, placeOf} from './browser.js';
+import {frames} from './frames.js';
 import {dataOf} from './truth.js';
 
 after(closeBrowser);

@@ -44,17 +44,16 @@ export class Visibility {
 /** Looks at no more than about this many pixels. */
 const mostLooks = 60000;
 
-/** The pixel, on a coarse grid, where the means are furthest apart; null where none has a surface. */
-export function furthestApart(all: Visibility[]): {x: number; y: number} | null {
-  const first = all[0];
-  if (!first) return null;
-  const step = Math.max(1, Math.ceil(Math.sqrt(first.width * first.height / mostLooks)));
+/** The pixel, on a coarse grid, in the middle of a penumbra of `truth`, where the means are furthest apart. */
+export function furthestApart(truth: Visibility, all: Visibility[]): {x: number; y: number} | null {
+  const step = Math.max(1, Math.ceil(Math.sqrt(truth.width * truth.height / mostLooks)));
   let best: {x: number; y: number} | null = null, widest = -1;
-  for (let y = step >> 1; y < first.height; y += step)
-    for (let x = step >> 1; x < first.width; x += step) {
-      const means = all.map(one => one.mean(x, y)).filter(mean => mean !== null);
-      const apart = Math.max(...means) - Math.min(...means);
-      if (means.length === 0 || apart <= widest) continue;
+  for (let y = step >> 1; y < truth.height; y += step)
+    for (let x = step >> 1; x < truth.width; x += step) {
+      const true_ = truth.mean(x, y);
+      if (true_ === null || Math.abs(true_ - 0.5) > 0.25) continue;
+      const means = all.map(one => one.mean(x, y) ?? true_), apart = Math.max(...means) - Math.min(...means);
+      if (apart <= widest) continue;
       widest = apart;
       best = {x, y};
     }
