@@ -9,12 +9,13 @@
 #include "bake/plan.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
+#include "report/sweep.h"
 #include "scene/scene.h"
 #include "sdf/convert.h"
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake };
+enum class Command { render, probe, info, make_new, export_shader, bake, compare };
 
 enum class Device { automatic, cpu, gl };
 
@@ -32,6 +33,13 @@ struct BakeArguments {
   std::optional<float> time_limit;  ///< seconds of light
   bool lightmap = false, hdr = false;
   std::string preview;  ///< HTML file; empty = none
+};
+
+/// What compare alone is asked.
+struct CompareArguments {
+  std::vector<ShadowKind> methods;  ///< each once; empty = all but none
+  std::optional<int> repeats;
+  std::vector<report::SweepRequest> sweeps;
 };
 
 struct Arguments {
@@ -52,6 +60,8 @@ struct Arguments {
   bool quiet = false;
   sdf::ConversionOptions conversion;
   BakeArguments bake;
+  CompareArguments compare;
+  bool choose_method = false;             ///< --shadows auto
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

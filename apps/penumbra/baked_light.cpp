@@ -34,6 +34,11 @@ BakedLight::BakedLight(const Scene& scene, const Arguments& arguments, Console& 
       world_(scene_, {.cone_tree = false}) {
   const bake::BakedIrradiance irradiance(world_,
                                          options_of(arguments, bake::BakeDevice::automatic));
+  for (const bake::CutChart& chart : plan_.charts)
+    for (const int points : irradiance.sample_counts(chart.shape, {}))
+      texel_samples_ += static_cast<std::uint64_t>(chart.shape.width) *
+                        static_cast<std::uint64_t>(chart.shape.height) *
+                        static_cast<std::uint64_t>(points);
   bake::LightTextureOptions options;
   options.visible_fractions = arguments.render.want_visibility;
   light_ = std::make_unique<bake::LightTextures>(scene_, plan_, irradiance, options, console);

@@ -21,12 +21,15 @@ class BakedLight {
 
   const World& world() const { return world_; }
   const KnownLight& light() const { return *light_; }
+  /// Texels times points on the lights that they were lit by.
+  std::uint64_t texel_samples() const { return texel_samples_; }
 
  private:
   Scene scene_;
   bake::Plan plan_;
   World world_;
   std::unique_ptr<bake::LightTextures> light_;
+  std::uint64_t texel_samples_ = 0;
 };
 
 /// Visible fractions at points, each a receiver of one texel in its tangent plane.

@@ -8,6 +8,7 @@
 #include "bake_options.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "compare_options.h"
 #include "options.h"
 #include "values.h"
 
@@ -15,9 +16,9 @@ namespace penumbra::app {
 namespace {
 
 // In the order of Command.
-constexpr std::array<std::string_view, 6> kCommands{"render", "probe",  "info",
-                                                    "new",    "export", "bake"};
-constexpr std::array<std::string_view, 3> kLaterCommands{"view", "compare", "diff"};
+constexpr std::array<std::string_view, 7> kCommands{"render", "probe", "info",   "new",
+                                                    "export", "bake",  "compare"};
+constexpr std::array<std::string_view, 2> kLaterCommands{"view", "diff"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -73,6 +74,19 @@ void add_bake(CLI::App& app, Arguments& a) {
   add_run_options(command, a);
 }
 
+void add_compare(CLI::App& app, Arguments& a) {
+  CLI::App& command =
+      *app.add_subcommand("compare", "Show every method beside the truth, its error and its cost");
+  add_file(command, "SCENE", a.scene, kScenes);
+  add_output(command, a, "DIR", "folder: index.html, results.json, pictures");
+  add_compare_options(command, a);
+  add_shadow_options(command, a);
+  add_light_options(command, a);
+  add_picture_options(command, a);
+  add_conversion_options(command, a);
+  add_run_options(command, a);
+}
+
 void add_export(CLI::App& app, Arguments& a) {
   CLI::App& command =
       *app.add_subcommand("export", "Write a distance-field scene as a shader for Shadertoy");
@@ -103,6 +117,7 @@ void build(CLI::App& app, Arguments& a) {
   add_render(app, a);
   add_probe(app, a);
   add_bake(app, a);
+  add_compare(app, a);
   add_export(app, a);
   add_info(app, a);
   add_new(app, a);
@@ -162,6 +177,8 @@ void check_complete(Arguments& a) {
     throw InputError("no output is named", "add -o OUT.png or -o OUT.exr");
   if (a.command == Command::bake && a.output.empty())
     throw InputError("no output is named", "add -o OUT.glb");
+  if (a.command == Command::compare && a.output.empty())
+    throw InputError("no folder is named", "add -o DIR");
   if (a.command == Command::export_shader && a.output.empty())
     throw InputError("no output is named", "add -o OUT.glsl");
   if (a.command == Command::probe && a.points.empty())

@@ -10,6 +10,7 @@ namespace penumbra::app {
 
 void run_render(Arguments& arguments, Console& console);
 void run_probe(Arguments& arguments, Console& console);
+void run_compare(Arguments& arguments, Console& console);
 void run_bake(Arguments& arguments, Console& console);
 void run_export(Arguments& arguments, Console& console);
 void run_info(const Arguments& arguments);

@@ -27,6 +27,8 @@ void run_command(Arguments& arguments, Console& console) {
       return run_export(arguments, console);
     case Command::bake:
       return run_bake(arguments, console);
+    case Command::compare:
+      return run_compare(arguments, console);
     case Command::info:
       return run_info(arguments);
     case Command::make_new:

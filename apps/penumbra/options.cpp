@@ -10,6 +10,7 @@
 
 #include "bake_options.h"
 #include "base/error.h"
+#include "compare_options.h"
 #include "light_spec.h"
 #include "values.h"
 
@@ -30,8 +31,24 @@ constexpr std::array<std::string_view, 8> kPictureOptions{"--size",     "--camer
                                                           "--exposure", "--mirror-depth", "--aov",
                                                           "--entry",    "--texel-size"};
 
-ShadowKind read_shadows(const std::string& text) {
-  return static_cast<ShadowKind>(parse_choice("--shadows", text, kShadows));
+// Of compare a list, of render perhaps auto.
+void read_shadows(const CLI::App& command, const std::string& text, Arguments& a) {
+  if (command.get_name() == "compare") {
+    a.compare.methods = read_methods(text);
+    return;
+  }
+  a.choose_method = command.get_name() == "render" && text == "auto";
+  if (!a.choose_method)
+    a.render.shadows.kind = static_cast<ShadowKind>(parse_choice("--shadows", text, kShadows));
+}
+
+std::string help_of_shadows(const CLI::App& command) {
+  const std::string names =
+      "hard, area (the reference), parker, heckbert-herf, sdf-classic, sdf-improved";
+  if (command.get_name() == "compare") return "some of " + names + ", sdf-inner; with commas";
+  if (command.get_name() == "render")
+    return "none, " + names + ", sdf-inner or auto (the fastest that keeps within --error)";
+  return "none, " + names + " or sdf-inner";
 }
 
 int read_side(const std::string& text, const std::string& side) {
@@ -156,9 +173,9 @@ void add_shadow_options(CLI::App& command, Arguments& a) {
     add_value(command, a, name, value, shown, read, help)->group("Shadows");
   };
   add(
-      "--shadows", "METHOD", "parker", [&](auto& t) { shadows.kind = read_shadows(t); },
-      "none, hard, area (the reference), parker, heckbert-herf, sdf-classic, sdf-improved or "
-      "sdf-inner");
+      "--shadows", command.get_name() == "compare" ? "A,B,C" : "METHOD",
+      command.get_name() == "compare" ? "all" : "parker",
+      [&](auto& t) { read_shadows(command, t, a); }, help_of_shadows(command).c_str());
   add(
       "--light-samples", "N", "64, by solid angle",
       [&](auto& t) {

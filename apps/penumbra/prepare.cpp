@@ -21,6 +21,9 @@ namespace {
 std::string_view idle_with(const std::string& option, const Arguments& a) {
   constexpr std::string_view method = "with this method";
   if (a.command == Command::probe && is_picture_option(option)) return "on probe";
+  if (a.command == Command::compare &&
+      (option == "--aov" || option == "--entry" || option == "--time"))
+    return "on compare";
   const ShadowOptions& shadows = a.render.shadows;
   const bool baked = shadows.kind == ShadowKind::heckbert_herf;
   const bool of_area = option == "--light-samples" || option == "--error";
@@ -32,12 +35,26 @@ std::string_view idle_with(const std::string& option, const Arguments& a) {
   if (option == "--light-samples" && baked) return {};
   const bool of_bakes = option == "--texel-size" || option == "--sample-grid";
   if (of_bakes && !baked) return method;
+  if (option == "--error" && a.choose_method) return {};
   if (of_area && shadows.kind != ShadowKind::area) return method;
   if (of_parker && shadows.kind != ShadowKind::parker) return method;
   if (option == "--light-samples" && shadows.error) return "beside --error";
   if (option == "--tolerance" && shadows.composite != Composite::min)
     return "with this --composite";
   return {};
+}
+
+// With none of the methods.
+std::string_view idle_with_all(const std::string& option, const Arguments& a) {
+  if (a.command != Command::compare) return idle_with(option, a);
+  std::string_view idle;
+  for (const ShadowKind kind : a.compare.methods) {
+    Arguments one = a;
+    one.render.shadows.kind = kind;
+    idle = idle_with(option, one);
+    if (idle.empty()) return {};
+  }
+  return idle == "with this method" ? "with these methods" : idle;
 }
 
 // Each variant belongs to one method.
@@ -90,9 +107,9 @@ void refuse_without_end(const Scene& scene, const std::string& file) {
 }  // namespace
 
 void warn_of_idle_options(const Arguments& arguments, Console& console) {
-  check_variant(arguments);
+  if (arguments.command != Command::compare && !arguments.choose_method) check_variant(arguments);
   for (const std::string& option : arguments.given)
-    if (const auto with = idle_with(option, arguments); !with.empty())
+    if (const auto with = idle_with_all(option, arguments); !with.empty())
       console.warn(fmt::format("{} has no effect {}", option, with));
 }
 

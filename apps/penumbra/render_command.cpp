@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "auto_method.h"
 #include "baked_light.h"
 #include "base/error.h"
 #include "commands.h"
@@ -101,6 +102,8 @@ void run_render(Arguments& arguments, Console& console) {
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);
+  const Json::Value chosen =
+      arguments.choose_method ? choose_method(arguments, scene, console) : Json::Value();
   check_steps_are_counted(arguments, scene);
   std::size_t bytes = 0;
   const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
@@ -118,8 +121,10 @@ void run_render(Arguments& arguments, Console& console) {
   write_outputs(arguments, scene, result);
   console.finish();
   phases.write = write.seconds();
-  if (!arguments.stats.empty())
-    write_stats(arguments.stats, stats_of(arguments, scene, bytes, result.stats, phases));
+  if (arguments.stats.empty()) return;
+  Json::Value stats = stats_of(arguments, scene, bytes, result.stats, phases);
+  if (!chosen.isNull()) stats["chosen"] = chosen;
+  write_stats(arguments.stats, stats);
 }
 
 }  // namespace penumbra::app
