@@ -36,7 +36,7 @@ async function take(page: Page, part: string, name: string): Promise<void> {
 const browser = await chromium.launch({
   executablePath: process.env['PENUMBRA_CHROMIUM'] ?? '/usr/bin/chromium', args: ['--no-sandbox', '--force-color-profile=srgb'],
 });
-const wide = {viewport: {width: 1120, height: 900}};
+const wide = {viewport: {width: 1044, height: 900}};
 
 const pictures = await open(browser, wide);
 await choose(pictures, 'parker', 'reference', 'Picture');
@@ -44,12 +44,12 @@ await take(pictures, '.bench', 'compare-pictures.png');
 
 const errors = await open(browser, {...wide, colorScheme: 'dark'});
 await choose(errors, 'hard', 'sdf-inner', 'Error');
-await take(errors, '.bench', 'compare-errors.png');
+await take(errors, '.stage', 'compare-errors.png');
 
 const numbers = await open(browser, wide);
-await take(numbers, 'section[aria-labelledby=numbers] > div', 'compare-table.png');
 await take(numbers, '.plots figure', 'compare-plot.png');
 
-const phone = await open(browser, {viewport: {width: 360, height: 720}});
+const phone = await open(browser, {viewport: {width: 360, height: 620}});
+await phone.locator('#pictures').evaluate(heading => { heading.scrollIntoView(); });
 await phone.screenshot({path: join(out, 'compare-phone.png')});
 await browser.close();
