@@ -49,7 +49,7 @@ await take(errors, '.stage', 'compare-errors.png');
 const numbers = await open(browser, wide);
 await take(numbers, '.plots figure', 'compare-plot.png');
 
-const phone = await open(browser, {viewport: {width: 360, height: 620}});
+const phone = await open(browser, {viewport: {width: 360, height: 540}});
 await phone.locator('#pictures').evaluate(heading => { heading.scrollIntoView({behavior: 'instant'}); });
 await phone.screenshot({path: join(out, 'compare-phone.png')});
 await browser.close();
