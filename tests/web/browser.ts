@@ -7,6 +7,7 @@ import {pathToFileURL} from 'node:url';
 import {chromium, type Browser, type BrowserContextOptions, type Page} from 'playwright-core';
 import type {Results} from '../../web/compare/src/results.js';
 import {makeFixture, writePage, type Wish} from './fixture.js';
+import {frames} from './frames.js';
 
 const bundle = process.env['PENUMBRA_PAGE'] ?? '';
 const program = process.env['PENUMBRA_CHROMIUM'] ?? '/usr/bin/chromium';
@@ -56,13 +57,6 @@ export async function open(folder: string, options: BrowserContextOptions = {}):
   await page.waitForFunction(() => !document.querySelector('#loupe')?.textContent.includes('loading'));
   await frames(page);
   return {page, complaints};
-}
-
-/** Waits until what was asked for is drawn. */
-export async function frames(page: Page): Promise<void> {
-  await page.evaluate(() => new Promise(resolve => {
-    requestAnimationFrame(() => { requestAnimationFrame(resolve); });
-  }));
 }
 
 export async function done({page, complaints}: Opened): Promise<void> {

@@ -69,7 +69,7 @@ function writeData(folder: string, name: string, wish: Wish, planes: Float64Arra
 
 function writePictures(folder: string, name: string, wish: Wish): Drawn {
   const {width, height} = wish, {planes, picture} = draw(name, width, height, wish.lamps), means = meanPlane(planes);
-  const grey = (v: number): number[] => isNaN(v) ? [128, 128, 128] : [255 * v, 255 * v, 255 * v];
+  const grey = (v: number): number[] => isNaN(v) ? [77, 85, 97] : [255 * v, 255 * v, 255 * v];
   writeFileSync(join(folder, 'pictures', `${name}.png`), png(width, height, (x, y) => picture[y * width + x] ?? []));
   writeFileSync(join(folder, 'visibility', `${name}.png`), png(width, height, (x, y) => grey(means[y * width + x] ?? NaN)));
   writeData(folder, name, wish, planes);

@@ -6,8 +6,9 @@ import {after, test} from 'node:test';
 import {deflateSync} from 'node:zlib';
 import type {Page} from 'playwright-core';
 import type {Results} from '../../web/compare/src/results.js';
-import {closeBrowser, done, frames, makeFolder, open} from './browser.js';
+import {closeBrowser, done, makeFolder, open} from './browser.js';
 import type {Wish} from './fixture.js';
+import {frames} from './frames.js';
 import {lamps} from './spheres.js';
 
 after(closeBrowser);

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import {after, test} from 'node:test';
 import type {Page} from 'playwright-core';
 import type {Method} from '../../web/compare/src/results.js';
-import {closeBrowser, colourAt, done, frames, makeFolder, open, placeOf} from './browser.js';
+import {closeBrowser, colourAt, done, makeFolder, open, placeOf} from './browser.js';
+import {frames} from './frames.js';
 import {dataOf} from './truth.js';
 
 after(closeBrowser);
@@ -141,25 +142,25 @@ test('the loupe shows the visible fractions of the files', async () => {
 test('the loupe moves by keys and stays when pinned', async () => {
   const opened = await open(folder), {page} = opened;
   const place = page.locator('#loupe .place'), stage = page.locator('#stage');
-  const at = await placeOf(page, 50, 60);
+  const at = await placeOf(page, 50, 120);
   await page.mouse.click(at.x, at.y);
   await frames(page);
   assert.equal(await page.getByRole('button', {name: 'Pinned'}).getAttribute('aria-pressed'), 'true');
   await page.mouse.move(at.x + 100, at.y + 50);
   await frames(page);
-  assert.equal(await place.innerText(), 'x 50, y 60');
+  assert.equal(await place.innerText(), 'x 50, y 120');
   await stage.focus();
-  for (const [key, text] of [['ArrowRight', 'x 51, y 60'], ['ArrowDown', 'x 51, y 61'], ['Shift+ArrowLeft', 'x 41, y 61'], ['Shift+ArrowUp', 'x 41, y 51']] as const) {
+  for (const [key, text] of [['ArrowRight', 'x 51, y 120'], ['ArrowDown', 'x 51, y 121'], ['Shift+ArrowLeft', 'x 41, y 121'], ['Shift+ArrowUp', 'x 41, y 111']] as const) {
     await stage.press(key);
     await frames(page);
     assert.equal(await place.innerText(), text);
   }
-  const told = dataOf(folder, 'sdf-inner').mean(41, 51)?.toFixed(3);
-  assert.match(await page.locator('#loupe output').innerText(), new RegExp(`Pixel 41, 51: sdf-inner ${told ?? ''}, reference`));
+  const told = dataOf(folder, 'sdf-inner').mean(41, 111)?.toFixed(3);
+  assert.match(await page.locator('#loupe output').innerText(), new RegExp(`Pixel 41, 111: sdf-inner ${told ?? ''}, reference`));
   await stage.press('Escape');
   await page.mouse.move(at.x, at.y + 1);
   await frames(page);
-  assert.equal(await place.innerText(), 'x 50, y 60');
+  assert.equal(await place.innerText(), 'x 50, y 120');
   await done(opened);
 });
 

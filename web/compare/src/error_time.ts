@@ -21,7 +21,7 @@ function pointsOf(results: Results, part: Part): Point[] {
     if (error === null || seconds === null) return [];
     const same = method.equal_area;
     // Its points were counted for the error in the penumbra.
-    const area = part === 'penumbra' && same?.seconds ? {seconds: same.seconds, points: same.points} : null;
+    const area = part === 'penumbra' && method.name !== 'area' && same?.seconds ? {seconds: same.seconds, points: same.points} : null;
     return [{name: method.name, style: styleOf(results, method.name), error, seconds, area}];
   });
 }

@@ -28,6 +28,8 @@ interface Scale {
   colours: readonly string[];
   ticks: [place: number, text: string][];
   ends: [string, string];
+  /** The colour of what has no surface. */
+  nothing: string;
 }
 
 function bar(scale: Scale): HTMLElement {
@@ -38,7 +40,7 @@ function bar(scale: Scale): HTMLElement {
   return h('figure', {class: 'legend'},
     h('figcaption', {}, scale.title),
     h('div', {class: 'ends'}, h('span', {}, scale.ends[0]),
-      h('span', {}, h('i', {class: 'nothing'}), 'no surface'), h('span', {}, scale.ends[1])),
+      h('span', {}, h('i', {class: 'nothing', style: `background: ${scale.nothing}`}), 'no surface'), h('span', {}, scale.ends[1])),
     s('svg', {viewBox: '0 0 320 34', role: 'img', 'aria-label': `${scale.title}: ${scale.ends.join(' to ')}, ` +
       scale.ticks.map(([, text]) => text).join(', ')},
     s('defs', {}, s('linearGradient', {id: scale.id}, ...stops)),
@@ -53,6 +55,7 @@ export function legend(results: Results, store: Store): HTMLElement {
     colours: errorColours,
     ticks: [-1, -0.5, 0, 0.5, 1].map(t => [(t + 1) / 2, signed(t * limit, 2)]),
     ends: ['too dark', 'too bright'],
+    nothing: '#808080',
   });
   const visible = bar({
     id: 'visible-colours',
@@ -60,6 +63,7 @@ export function legend(results: Results, store: Store): HTMLElement {
     colours: ['#000', '#fff'],
     ticks: [0, 0.25, 0.5, 0.75, 1].map(t => [t, fixed(t, 2)]),
     ends: ['light hidden', 'light seen'],
+    nothing: '#4d5561',
   });
   store.onDraw(({kind}) => {
     error.hidden = kind !== 'error';

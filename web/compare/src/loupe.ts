@@ -95,7 +95,7 @@ export function loupe(parts: Parts): HTMLElement {
     if (document.activeElement?.id === 'stage') live.textContent = spoken(state, parts);
   });
   return h('aside', {class: 'loupe', id: 'loupe', 'aria-label': 'Visible fractions at the pointed pixel'},
-    h('header', {}, h('h3', {}, 'Visible fraction at'), place, pin),
+    h('header', {}, h('h3', {}, 'Visible fraction at ', place), pin),
     h('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Visible fractions by method and light'}, table),
     live);
 }

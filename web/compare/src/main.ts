@@ -55,8 +55,9 @@ function build(results: Results, page: HTMLElement): void {
 
 /** Puts the loupe, unless it has been moved, where the methods are furthest apart. */
 function pointWhereTheyDiffer(results: Results, store: Store, data: VisibilityStore, middle: State['pixel']): void {
-  const loaded = shownOf(results).map(shown => data.get(shown.name)).filter(one => one instanceof Visibility);
-  const pixel = furthestApart(loaded);
+  const truth = data.get(results.reference.name);
+  if (!(truth instanceof Visibility)) return;
+  const pixel = furthestApart(truth, shownOf(results).map(shown => data.get(shown.name)).filter(one => one instanceof Visibility));
   if (pixel && store.state.pixel === middle) store.update({pixel});
 }
 

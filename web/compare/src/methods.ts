@@ -30,7 +30,7 @@ function machine(results: Results): string | null {
   const m = results.machine;
   if (!m) return null;
   return [m.processor, m.threads === null ? null : `${m.threads} threads`,
-    m.memory_bytes === null ? null : `${count(m.memory_bytes / 1e6)} MB`, m.system].filter(Boolean).join(', ');
+    m.memory_bytes === null ? null : `${fixed(m.memory_bytes / 1e9, 1)} GB`, m.system].filter(Boolean).join(', ');
 }
 
 export function foot(results: Results): HTMLElement {
@@ -57,9 +57,9 @@ export function sentence(text: string): string {
 export function sceneLine(results: Results): string {
   const {width, height, camera, lights, objects, triangles} = results.scene;
   const many = (n: number | null, one: string): string | null => n === null ? null : `${count(n)} ${one}${n === 1 ? '' : 's'}`;
-  const kinds = lights.map((l, i) => l.name && l.kind && l.name !== l.kind ? `${l.name}: ${l.kind}` : l.kind ?? l.name ?? `light ${i + 1}`);
+  const kinds = lights.map((l, i) => l.name?.startsWith(l.kind ?? '') ? l.name : l.name ? `${l.name}: ${l.kind ?? ''}` : l.kind ?? `light ${i + 1}`);
   const shown = kinds.length > 4 ? [...kinds.slice(0, 3), `${kinds.length - 3} more`] : kinds;
-  return [`${width} × ${height} pixels`, camera ? `camera ${camera}` : null,
+  return [`${width} × ${height} pixels`, camera ? /^camera/.test(camera) ? camera : `camera ${camera}` : null,
     `${many(lights.length, 'light') ?? ''}${lights.length ? ` (${shown.join(', ')})` : ''}`,
     many(objects, 'object'), triangles ? many(triangles, 'triangle') : null].filter(Boolean).join(' · ');
 }

@@ -8,7 +8,9 @@ const known = (value: Maybe | undefined): value is number => typeof value === 'n
 
 /** With so many decimals. */
 export function fixed(value: Maybe | undefined, decimals: number): string {
-  return known(value) ? minus(value.toFixed(decimals)) : unknown;
+  if (!known(value)) return unknown;
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : minus(text);
 }
 
 /** The same with its sign; 0 has none. */

@@ -6,7 +6,8 @@ import {Visibility, type VisibilityStore} from './visibility.js';
 
 export type Source = {file: string} | {note: string};
 
-const noSurface = [128, 128, 128, 255];
+/** As in the files: grey in errors, slate in visible fractions, which may be grey. */
+const noSurface = {error: [128, 128, 128, 255], visibility: [77, 85, 97, 255]};
 
 /** By the visible fraction in 254ths, from -254. */
 const greys = Array.from({length: 509}, (_, i) => [...Array<number>(3).fill(255 * Math.max(0, i - 254) / 254), 255]);
@@ -63,11 +64,11 @@ export class Sources {
     const context = canvas.getContext('2d');
     if (!context) return;
     const pixels = context.createImageData(mine.width, mine.height);
-    const colours = truth ? this.errorColours : greys;
+    const colours = truth ? this.errorColours : greys, none = truth ? noSurface.error : noSurface.visibility;
     const true_ = truth?.plane(light);
     mine.plane(light).forEach((seen, i) => {
       const expected = true_?.[i] ?? 0;
-      pixels.data.set(seen === 255 || expected === 255 ? noSurface : colours[seen - expected + 254] ?? noSurface, 4 * i);
+      pixels.data.set(seen === 255 || expected === 255 ? none : colours[seen - expected + 254] ?? none, 4 * i);
     });
     context.putImageData(pixels, 0, 0);
     canvas.toBlob(blob => {

@@ -39,7 +39,7 @@ function draw(curves: Curve[], sweep: Sweep, width: number, yTitle: string): SVG
   const y = axis(heights, heights.some(v => v > 0), box.bottom, box.top);
   const ends = curves.map(c => c.points.at(-1) ?? {x: 0, y: 0});
   const at = stacked(ends.map(p => place(y, p.y) + 4), box.top + 8, box.bottom);
-  const title = sweep.parameter + (sweep.unit ? `, ${sweep.unit}` : '');
+  const title = `${sweep.parameter}, ${sweep.unit ? sweep.unit : 'factor'}`;
   return s('svg', {width, height, viewBox: `0 0 ${width} ${height}`, role: 'img',
     'aria-label': `${yTitle} over ${title}: ${curves.map(c => c.name).join(', ')}`},
   frameOf(x, y, box, title, yTitle),

@@ -41,20 +41,27 @@ export class Visibility {
   }
 }
 
+/** A pixel in a penumbra, like its neighbours on every side: no edge of an object. */
+function amidPenumbra(truth: Visibility, x: number, y: number): boolean {
+  const middle = truth.mean(x, y);
+  return middle !== null && Math.abs(middle - 0.5) < 0.25 && [[-3, 0], [3, 0], [0, -3], [0, 3]].every(([dx = 0, dy = 0]) => {
+    const beside = x + dx < 0 || x + dx >= truth.width ? null : truth.mean(x + dx, y + dy);
+    return beside !== null && Math.abs(beside - middle) < 0.3;
+  });
+}
+
 /** Looks at no more than about this many pixels. */
 const mostLooks = 60000;
 
-/** The pixel, on a coarse grid, where the means are furthest apart; null where none has a surface. */
-export function furthestApart(all: Visibility[]): {x: number; y: number} | null {
-  const first = all[0];
-  if (!first) return null;
-  const step = Math.max(1, Math.ceil(Math.sqrt(first.width * first.height / mostLooks)));
+/** The pixel, on a coarse grid, amid a penumbra of `truth`, where the means are furthest apart. */
+export function furthestApart(truth: Visibility, all: Visibility[]): {x: number; y: number} | null {
+  const step = Math.max(1, Math.ceil(Math.sqrt(truth.width * truth.height / mostLooks)));
   let best: {x: number; y: number} | null = null, widest = -1;
-  for (let y = step >> 1; y < first.height; y += step)
-    for (let x = step >> 1; x < first.width; x += step) {
-      const means = all.map(one => one.mean(x, y)).filter(mean => mean !== null);
-      const apart = Math.max(...means) - Math.min(...means);
-      if (means.length === 0 || apart <= widest) continue;
+  for (let y = step >> 1; y < truth.height; y += step)
+    for (let x = step >> 1; x < truth.width; x += step) {
+      if (!amidPenumbra(truth, x, y)) continue;
+      const means = all.map(one => one.mean(x, y)).filter(mean => mean !== null), apart = Math.max(...means) - Math.min(...means);
+      if (apart <= widest) continue;
       widest = apart;
       best = {x, y};
     }
