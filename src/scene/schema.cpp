@@ -102,6 +102,10 @@ constexpr std::string_view before_sdf = R"json({
       "description": "Whether bake gives it textures of light and shadow.",
       "type": "boolean", "default": true
     },
+    "samples_scale": {
+      "description": "Multiplies the points that bake takes on each light for its surfaces.",
+      "type": "number", "minimum": 0.001, "maximum": 1000, "default": 1
+    },
     "quad_object": {
       "additionalProperties": false,
       "required": ["type", "corner", "edge_u", "edge_v", "material"],
@@ -109,6 +113,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "quad"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
@@ -122,6 +127,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "center": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "material": {"$ref": "#/$defs/text"}
@@ -134,6 +140,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "box"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "min": {"$ref": "#/$defs/point"},
         "max": {"$ref": "#/$defs/point"},
         "material": {"$ref": "#/$defs/text"}
@@ -146,6 +153,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "polygon"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
         "material": {"$ref": "#/$defs/text"}
       }
@@ -157,6 +165,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "mesh"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"},
         "transform": {"$ref": "#/$defs/transform"},
         "material": {"$ref": "#/$defs/text"}
@@ -169,6 +178,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "sdf"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "root": {"$ref": "#/$defs/sdf_node"},
         "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
       }
@@ -180,6 +190,7 @@ constexpr std::string_view before_sdf = R"json({
         "type": {"const": "glsl"},
         "name": {"$ref": "#/$defs/text"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"}
       }
     },
