@@ -52,7 +52,7 @@ int run_program(int argc, char** argv) try {
     run(*arguments);
   else
     print(answer);
-  return 0;
+  return was_interrupted() ? 130 : 0;
 } catch (const InputError& error) {
   return report(2, error.what());
 } catch (const Cancelled&) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/stored_light.h"
 #include "baked_light.h"
 #include "base/error.h"
 #include "commands.h"
@@ -66,6 +67,31 @@ Json::Value stats_of(const Arguments& arguments, const Scene& scene, std::size_t
   return json;
 }
 
+bool has(const Arguments& arguments, const char* option) {
+  return std::ranges::find(arguments.given, option) != arguments.given.end();
+}
+
+// A file with visibility in it is shown by it unless another method is named.
+void prefer_stored(Arguments& arguments, const Scene& scene, Console& console) {
+  ShadowKind& kind = arguments.render.shadows.kind;
+  if (!scene.stores_visibility) return;
+  if (!has(arguments, "--shadows") && arguments.device != Device::gl)
+    kind = ShadowKind::heckbert_herf;
+  if (kind != ShadowKind::heckbert_herf) return;
+  for (const char* option : {"--light-samples", "--texel-size", "--sample-grid"})
+    if (has(arguments, option))
+      console.warn(fmt::format("{} has no effect: the file holds baked visibility", option));
+}
+
+// What the file knows of its lights, if that is to be shown.
+std::unique_ptr<bake::StoredLight> stored_light(const Arguments& arguments, const Scene& scene,
+                                                Console& console) {
+  if (arguments.render.shadows.kind != ShadowKind::heckbert_herf) return nullptr;
+  auto stored = std::make_unique<bake::StoredLight>(arguments.scene, scene);
+  console.remark(fmt::format("shadows: {} stored in the file", stored->what()));
+  return stored;
+}
+
 // Counts bytes of structures and seconds of building them.
 RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::size_t& bytes,
                               Phases& phases, Console& console) {
@@ -74,7 +100,7 @@ RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::siz
     return render_gl(scene, arguments.render, arguments.entry, console);
   }
   const Stopwatch build;
-  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf) {
+  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf && !scene.stores_visibility) {
     const BakedLight baked(scene, arguments, console);
     phases.build = build.seconds();
     bytes = baked.world().memory_bytes();
@@ -82,6 +108,8 @@ RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::siz
     return render(baked.world(), arguments.render, console);
   }
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
+  const auto stored = stored_light(arguments, scene, console);
+  if (stored) arguments.render.known = stored.get();
   phases.build = build.seconds();
   bytes = world->memory_bytes();
   return render(*world, arguments.render, console);
@@ -98,6 +126,7 @@ void run_render(Arguments& arguments, Console& console) {
   const Stopwatch load;
   const Scene scene = prepare_scene(arguments, console);
   phases.load = load.seconds();
+  prefer_stored(arguments, scene, console);
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);

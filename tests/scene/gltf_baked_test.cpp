@@ -101,12 +101,27 @@ TEST(GltfBaked, NodesSayHowManySamplesTheyTake) {
   }
 }
 
+TEST(GltfBaked, MaterialsOfSceneFilesComeBack) {
+  const auto with = [](const std::string& roughness) {
+    return triangle_with(R"("materials":[{"extras":{"penumbra":{"diffuse":[0.1,0.2,0.3],)"
+                         R"("specular":[0.04,0.05,0.06],"mirror":[0,0.5,1],"roughness":)" +
+                             roughness + "}}}]",
+                         R"(,"material":0)");
+  };
+  const Material own = read(with("0.25")).materials.at(0);
+  EXPECT_FALSE(own.is_metallic_roughness);
+  EXPECT_EQ(own.diffuse, Vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(own.specular, Vec3(0.04f, 0.05f, 0.06f));
+  EXPECT_EQ(own.mirror, Vec3(0, 0.5f, 1));
+  EXPECT_EQ(own.roughness, 0.25f);
+  EXPECT_TRUE(read(with("7")).materials.at(0).is_metallic_roughness);
+}
+
 TEST(GltfBaked, StoredVisibilityComesWithItsAmbientLight) {
   EXPECT_FALSE(read(triangle_with("")).stores_visibility);
   const Scene scene = read(with_display(R"("ambient":[0.1,0.2,0.3],"store":{})"));
   EXPECT_TRUE(scene.stores_visibility);
   EXPECT_EQ(scene.ambient, Vec3(0.1f, 0.2f, 0.3f));
-  EXPECT_FALSE(scene.ambient_is_automatic);
   EXPECT_FALSE(read(with_display(R"("store":3)")).stores_visibility);
 }
 

@@ -44,7 +44,7 @@ void read_display(const JsonDocument& document, Scene& scene) {
     return true;
   };
   read("background", scene.background);
-  if (read("ambient", scene.ambient)) scene.ambient_is_automatic = false;
+  read("ambient", scene.ambient);
 }
 
 }  // namespace penumbra::gltf
