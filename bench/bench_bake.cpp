@@ -2,6 +2,9 @@
 //   bench_bake [--quick] [--threads N] [--only rebake|light|table|scaling|samples]
 //              [--model FILE]   a floor of 512² texels under it instead, one sphere light, 64
 //              points
+//              [--against FILE]  with --model: the same floor by another program (cycles_floor.py),
+//              four floats a texel up to a factor; both are held against 65,536 points, and as
+//              many are taken as it needs to be no worse
 // Also prints lines "NAME<tab>VALUE" for bench/run: seconds, and ratios of what took turns.
 #include <fmt/format.h>
 
@@ -12,6 +15,7 @@
 #include "bake/light_sampler.h"
 #include "bake/raster_baker.h"
 #include "bake_scene.h"
+#include "base/atomic_file.h"
 #include "base/parallel.h"
 #include "race.h"
 #include "scene/load.h"
@@ -32,7 +36,8 @@ ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options) {
 /// A bake from a scene's meshes to irradiance in memory, all structures built anew.
 class Bake {
  public:
-  explicit Bake(BakeScene scene) : s_(std::move(scene)) {
+  /// `step`: metres that the movable mesh goes before each bake.
+  explicit Bake(BakeScene scene, float step = 0.01f) : s_(std::move(scene)), step_(step) {
     for (const PlanarChart& c : s_.charts)
       out_.emplace_back(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
   }
@@ -51,14 +56,16 @@ class Bake {
     });
   }
   const BakeScene& scene() const { return s_; }
+  const std::vector<Vec3>& irradiance(std::size_t chart) const { return out_[chart]; }
 
  private:
   void move() {
-    const float step = (++turn_ % 64 < 32 ? 1.0f : -1.0f) * 0.01f;
+    const float step = ++turn_ % 64 < 32 ? step_ : -step_;
     for (Vec3& p : s_.scene.meshes[s_.movable].positions) p.x += step;
   }
 
   BakeScene s_;
+  float step_;
   std::vector<std::vector<Vec3>> out_;
   int turn_ = 0;
 };
@@ -146,16 +153,74 @@ BakeScene floor_under(const std::string& file) {
   return s;
 }
 
+/// Root mean square error relative to the brightest texel of the truth, after the factor that fits
+/// best.
+double relative_rmse(const std::vector<double>& found, const std::vector<double>& truth) {
+  double product = 0, square = 0, brightest = 0, sum = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    product += found[i] * truth[i], square += found[i] * found[i];
+    brightest = std::max(brightest, truth[i]);
+  }
+  const double factor = square > 0 ? product / square : 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    sum += (factor * found[i] - truth[i]) * (factor * found[i] - truth[i]);
+  return std::sqrt(sum / static_cast<double>(truth.size())) / brightest;
+}
+
+std::vector<double> baked_floor(const std::string& model, int samples) {
+  BakeScene scene = floor_under(model);
+  scene.options.light_samples = samples;
+  Bake bake(std::move(scene), 0);
+  bake();
+  std::vector<double> light;
+  for (const Vec3& e : bake.irradiance(0)) light.push_back(double{e.x});
+  return light;
+}
+
+std::vector<double> read_floats(const std::string& file) {
+  const std::string bytes = read_file(file);
+  std::vector<double> light;
+  for (std::size_t at = 0; at + 16 <= bytes.size(); at += 16) {
+    float red = 0;
+    std::memcpy(&red, &bytes[at], 4);
+    light.push_back(double{red});
+  }
+  return light;
+}
+
+/// The fewest points of 64, 128, 256 … that leave no greater error than the other program, and the
+/// time that they take.
+void report_against(const std::string& model, const std::string& other, int repeats) {
+  const std::vector<double> truth = baked_floor(model, 1 << 16);
+  const std::vector<double> theirs = read_floats(other);
+  if (theirs.size() != truth.size()) {
+    fmt::print(stderr, "bench_bake: {}: not 512 x 512 texels\n", other);
+    std::exit(1);
+  }
+  const double limit = relative_rmse(theirs, truth);
+  int points = 64;
+  double error = relative_rmse(baked_floor(model, points), truth);
+  while (error > limit && points < 1 << 14)
+    error = relative_rmse(baked_floor(model, points *= 2), truth);
+  BakeScene scene = floor_under(model);
+  scene.options.light_samples = points;
+  report("floor of no greater error", Bake(std::move(scene)), repeats);
+  say("points", points);
+  say("error", error);
+  say("error of the other", limit);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   bool quick = false;
   int threads = 0;
-  std::string only, model;
+  std::string only, model, against;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--quick")) quick = true;
     if (!std::strcmp(argv[i], "--only") && i + 1 < argc) only = argv[++i];
     if (!std::strcmp(argv[i], "--model") && i + 1 < argc) model = argv[++i];
+    if (!std::strcmp(argv[i], "--against") && i + 1 < argc) against = argv[++i];
     if (!std::strcmp(argv[i], "--threads") && i + 1 < argc) threads = std::atoi(argv[++i]);
   }
   const ThreadLimit limit(threads);
@@ -163,6 +228,7 @@ int main(int argc, char** argv) {
   fmt::print("{} threads\n", thread_count());
   if (!model.empty()) {
     report("floor", Bake(floor_under(model)), repeats);
+    if (!against.empty()) report_against(model, against, repeats);
     return 0;
   }
   const auto wanted = [&](const char* name) { return only.empty() || only == name; };

@@ -9,6 +9,10 @@ import pathlib
 import sys
 
 import bpy
+import numpy
+
+# The importer of Blender 3.4 takes a name that NumPy 1.24 dropped.
+vars(numpy).setdefault("bool", bool)
 
 path = pathlib.Path(sys.argv[sys.argv.index("--") + 1])
 bpy.ops.wm.read_factory_settings(use_empty=True)

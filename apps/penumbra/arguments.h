@@ -8,6 +8,7 @@
 #include "bake/bake_options.h"
 #include "bake/plan.h"
 #include "bake/store.h"
+#include "diff_options.h"
 #include "light_factor.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
@@ -16,7 +17,7 @@
 
 namespace penumbra::app {
 
-enum class Command { render, probe, info, make_new, export_shader, bake };
+enum class Command { render, probe, info, make_new, export_shader, bake, diff, animate };
 
 enum class Device { automatic, cpu, gl };
 
@@ -35,6 +36,14 @@ struct BakeArguments {
   bool lightmap = false, hdr = false;
   bake::Store store = bake::Store::radiance;
   std::string preview;  ///< HTML file; empty = none
+};
+
+/// What animate alone is asked.
+struct AnimationArguments {
+  int frames = 0;  ///< 0 = as many as what moves takes
+  double frames_per_second = 24;
+  double turntable = 0;  ///< degrees that the camera goes round
+  bool resume = false;   ///< frames that are there are kept
 };
 
 struct Arguments {
@@ -56,6 +65,8 @@ struct Arguments {
   bool quiet = false;
   sdf::ConversionOptions conversion;
   BakeArguments bake;
+  DiffArguments diff;
+  AnimationArguments animation;
   bool schema = false;                    ///< new: the schema instead of a scene
   std::vector<std::string> given;         ///< names of the options that were given
   std::vector<std::string> command_line;  ///< as it was typed

@@ -2,6 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include "bake/bake_store.h"
 #include "bake/preview.h"
@@ -68,6 +70,9 @@ void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, bool radiance,
         fmt::format("base-colour textures are finer than the texels and look blurred: {}; "
                     "a smaller --texel-size or --lightmap keeps them",
                     names(plan.remarks.blurred)));
+  if (!plan.remarks.squeezed.empty())
+    console.warn(fmt::format("some triangles have no texels of their own in the texture layout: {}",
+                             names(plan.remarks.squeezed)));
   std::vector<std::string> shiny;
   for (const Instance& instance : scene.instances) {
     const Material& m = scene.materials[instance.material];
@@ -89,6 +94,15 @@ Brightness brightness_of(const World& world, const Arguments& a, const DirectLig
   Brightness bright = find_brightness(world, coarse, lights, materials);
   bright.exposure_ev = a.render.exposure_ev.value_or(bright.exposure_ev);
   return bright;
+}
+
+/// Where a glTF file's materials are kept.
+std::optional<GltfMaterials> source_of(const Arguments& a) {
+  std::string ending = std::filesystem::path(a.scene).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const bool keeps = a.bake.lightmap || a.bake.store != bake::Store::radiance;
+  if (!keeps || (ending != ".glb" && ending != ".gltf")) return {};
+  return read_gltf_materials(a.scene);
 }
 
 bake::PassOptions pass_options(const Arguments& a) {
@@ -170,6 +184,8 @@ void run_bake(Arguments& a, Console& console) {
   const bake::PageSink write_page = [&](int page, std::size_t count, const Image& image) {
     write_exr(page_file(a, page, count), {{"", {"R", "G", "B"}, &image, a.bake.lightmap}});
   };
+  const std::optional<GltfMaterials> source = source_of(a);
+  if (source) input.source = &*source;
   std::optional<FinishOnInterrupt> finish;
   if (radiance) finish.emplace();
   input.finish_early = [&] { return finish && finish->take_interrupt(); };

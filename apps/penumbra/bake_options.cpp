@@ -13,6 +13,9 @@ constexpr std::array<std::string_view, 4> kDevices{"auto", "cpu", "gl", "rays"};
 // In the order of Store and of SamplePlacement.
 constexpr std::array<std::string_view, 3> kStores{"radiance", "visibility", "samples"};
 constexpr std::array<std::string_view, 3> kSampleGrids{"jittered", "regular", "low-discrepancy"};
+// In the order of CurvedShadows.
+constexpr std::array<std::string_view, 2> kCurved{"rays", "plane"};
+constexpr std::array<std::string_view, 2> kLayouts{"unwrap", "existing"};
 
 bake::BakeDevice read_device(const std::string& text) {
   return static_cast<bake::BakeDevice>(parse_choice("--device", text, kDevices));
@@ -27,6 +30,12 @@ void add_light_choices(CLI::App& command, Arguments& a) {
   add(
       "--device", "NAME", "auto", [&](auto& t) { light.device = read_device(t); },
       "cpu (rasteriser), gl (OpenGL), rays, or auto: the cheaper one for each chart");
+  add(
+      "--curved", "NAME", "rays",
+      [&](auto& t) {
+        light.curved = static_cast<bake::CurvedShadows>(parse_choice("--curved", t, kCurved));
+      },
+      "rays, or plane: curved surfaces are shadowed on a plane and projected; no self-shadows");
   add(
       "--light-samples", "N", "by solid angle",
       [&](auto& t) {
@@ -60,6 +69,10 @@ void add_texture_options(CLI::App& command, Arguments& a) {
       "--texel-size", "METRES", "4 million texels",
       [&](auto& t) { textures.texel_size = parse_number("--texel-size", t, 1e-6, 1e6); },
       "side of a texel; finer where a base-colour texture is");
+  add(
+      "--uv", "NAME", "unwrap",
+      [&](auto& t) { textures.existing_uv = parse_choice("--uv", t, kLayouts) == 1; },
+      "unwrap, or existing: a texture an object, laid out by its TEXCOORD_1, else TEXCOORD_0");
   add(
       "--supersample", "N", "1",
       [&](auto& t) {

@@ -27,6 +27,18 @@ bake::TextureOptions textures_of(const Arguments& arguments) {
   return textures;
 }
 
+/// In the tangent plane.
+bake::PlanarChart one_texel(const Receiver& r, float size) {
+  const Frame f = frame_around(r.normal);
+  bake::PlanarChart chart;
+  chart.instance = PrimitiveId::none;
+  chart.base = r.position - (f.u + f.v) * (size / 2);
+  chart.edge_x = f.u * size, chart.edge_y = f.v * size;
+  chart.normal = r.normal;
+  chart.width = chart.height = 1;
+  return chart;
+}
+
 }  // namespace
 
 BakedLight::BakedLight(const Scene& scene, const Arguments& arguments, Console& console)
@@ -43,7 +55,10 @@ BakedLight::BakedLight(const Scene& scene, const Arguments& arguments, Console& 
 
 std::vector<float> baked_fractions(const World& world, const Arguments& arguments,
                                    const std::vector<ProbePoint>& points, Console& console) {
-  const bake::BakedIrradiance irradiance(world, options_of(arguments, bake::BakeDevice::rays));
+  const bool by_gl = arguments.device == Device::gl;
+  const bake::BakedIrradiance irradiance(
+      world, options_of(arguments, by_gl ? bake::BakeDevice::gl : bake::BakeDevice::rays));
+  const float size = 1e-5f * bounds_of(world.scene()).diagonal();
   std::vector<float> fractions(points.size());
   constexpr std::size_t piece = 64;
   console.start("probe", points.size());
@@ -51,6 +66,10 @@ std::vector<float> baked_fractions(const World& world, const Arguments& argument
     const std::size_t last = std::min(points.size(), (k + 1) * piece);
     for (std::size_t i = k * piece; i < last; ++i) {
       const Receiver& r = points[i].receiver;
+      if (by_gl) {
+        irradiance.visible_fractions(one_texel(r, size), points[i].light, {&fractions[i], 1});
+        continue;
+      }
       const bake::SurfacePoint point{r.position, r.normal, r.normal, PrimitiveId::none, 0};
       irradiance.visible_fractions({&point, 1}, points[i].light, {&fractions[i], 1});
     }

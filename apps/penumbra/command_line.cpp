@@ -15,9 +15,9 @@ namespace penumbra::app {
 namespace {
 
 // In the order of Command.
-constexpr std::array<std::string_view, 6> kCommands{"render", "probe",  "info",
-                                                    "new",    "export", "bake"};
-constexpr std::array<std::string_view, 3> kLaterCommands{"view", "compare", "diff"};
+constexpr std::array<std::string_view, 8> kCommands{"render", "probe", "info", "new",
+                                                    "export", "bake",  "diff", "animate"};
+constexpr std::array<std::string_view, 2> kLaterCommands{"view", "compare"};
 constexpr const char* kScenes = "scene: .json, .gltf, .glb, .obj, .ply, .ply.gz, .stl or .glsl";
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -84,6 +84,26 @@ void add_export(CLI::App& app, Arguments& a) {
   add_run_options(command, a);
 }
 
+void add_diff(CLI::App& app, Arguments& a) {
+  CLI::App& command = *app.add_subcommand("diff", "Tell how far apart two pictures are");
+  add_file(command, "A", a.diff.reference, "reference: .png or .exr");
+  add_file(command, "B", a.diff.test, "what to compare with it: of the same kind and size");
+  add_diff_options(command, a);
+  command.footer("Exit status: 0 within the limits, 1 beyond, 2 trouble.");
+}
+
+void add_animate(CLI::App& app, Arguments& a) {
+  CLI::App& command = *app.add_subcommand("animate", "Draw the frames of a scene that moves");
+  add_file(command, "SCENE", a.scene, kScenes);
+  add_output(command, a, "OUT", "frames/%04d.png (or .exr), or a film: .mp4 .mov .mkv .webm .gif");
+  add_animation_options(command, a);
+  add_shadow_options(command, a);
+  add_light_options(command, a);
+  add_picture_options(command, a);
+  add_conversion_options(command, a);
+  add_run_options(command, a);
+}
+
 void add_info(CLI::App& app, Arguments& a) {
   CLI::App& command = *app.add_subcommand("info", "Tell what was understood of a scene");
   add_file(command, "SCENE", a.scene, kScenes);
@@ -103,7 +123,9 @@ void build(CLI::App& app, Arguments& a) {
   add_render(app, a);
   add_probe(app, a);
   add_bake(app, a);
+  add_animate(app, a);
   add_export(app, a);
+  add_diff(app, a);
   add_info(app, a);
   add_new(app, a);
   app.footer(
@@ -153,6 +175,13 @@ InputError reworded(const CLI::ParseError& error) {
 }
 
 void check_complete(Arguments& a) {
+  if (a.command == Command::diff) {
+    if (a.diff.test.empty())
+      throw InputError(
+          a.diff.reference.empty() ? "no pictures are named" : "one picture is missing",
+          "write penumbra diff A B");
+    return;
+  }
   if (a.scene.empty())
     throw InputError(
         a.command == Command::make_new ? "no file is named" : "no scene is named",
@@ -160,6 +189,8 @@ void check_complete(Arguments& a) {
                     a.command == Command::make_new ? "NAME.json" : "SCENE"));
   if (a.command == Command::render && a.output.empty())
     throw InputError("no output is named", "add -o OUT.png or -o OUT.exr");
+  if (a.command == Command::animate && a.output.empty())
+    throw InputError("no output is named", "add -o frames/%04d.png or -o film.mp4");
   if (a.command == Command::bake && a.output.empty())
     throw InputError("no output is named", "add -o OUT.glb");
   if (a.command == Command::export_shader && a.output.empty())

@@ -15,7 +15,9 @@ bool given(const Arguments& a, const char* option) {
 
 bool draws_with_gl(const Arguments& a, const Scene& scene) {
   const bool by_gl = a.device == Device::gl || scene.glsl;
-  if (by_gl && a.render.shadows.kind == ShadowKind::heckbert_herf)
+  const bool is_baked = a.render.shadows.kind == ShadowKind::heckbert_herf;
+  if (is_baked && a.command == Command::probe && !scene.glsl) return false;
+  if (by_gl && is_baked)
     throw InputError("--shadows: OpenGL does not draw heckbert-herf pictures",
                      scene.glsl ? "choose an sdf-* method, hard or area" : "leave out --device gl");
   if (a.device == Device::gl) return true;
@@ -27,8 +29,8 @@ bool draws_with_gl(const Arguments& a, const Scene& scene) {
 }
 
 bool is_own_picture(const Arguments& a, const Scene& scene) {
-  return a.command == Command::render && a.entry != Entry::map && scene.glsl &&
-         read_user_shader(scene.glsl->path, scene.glsl->text).has_main_image;
+  return (a.command == Command::render || a.command == Command::animate) && a.entry != Entry::map &&
+         scene.glsl && read_user_shader(scene.glsl->path, scene.glsl->text).has_main_image;
 }
 
 void adapt_to_gl(Arguments& a, const Scene& scene, Console& console) {

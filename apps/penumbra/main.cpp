@@ -17,28 +17,40 @@ int report(int status, const std::string& text) {
   return status;
 }
 
-void run_command(Arguments& arguments, Console& console) {
+int run_command(Arguments& arguments, Console& console) {
   switch (arguments.command) {
     case Command::render:
-      return run_render(arguments, console);
+      run_render(arguments, console);
+      return 0;
     case Command::probe:
-      return run_probe(arguments, console);
+      run_probe(arguments, console);
+      return 0;
     case Command::export_shader:
-      return run_export(arguments, console);
+      run_export(arguments, console);
+      return 0;
+    case Command::animate:
+      run_animate(arguments, console);
+      return 0;
     case Command::bake:
-      return run_bake(arguments, console);
+      run_bake(arguments, console);
+      return 0;
     case Command::info:
-      return run_info(arguments);
+      run_info(arguments);
+      return 0;
     case Command::make_new:
-      return run_new(arguments);
+      run_new(arguments);
+      return 0;
+    case Command::diff:
+      return run_diff(arguments);
   }
+  return 0;
 }
 
-void run(Arguments& arguments) {
+int run(Arguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   Console console(arguments.quiet);
   try {
-    run_command(arguments, console);
+    return run_command(arguments, console);
   } catch (...) {
     console.clear();
     throw;
@@ -48,11 +60,12 @@ void run(Arguments& arguments) {
 int run_program(int argc, char** argv) try {
   stop_on_interrupt();
   std::string answer;
-  if (auto arguments = parse_command_line(argc, argv, answer))
-    run(*arguments);
-  else
-    print(answer);
-  return was_interrupted() ? 130 : 0;
+  if (auto arguments = parse_command_line(argc, argv, answer)) {
+    const int status = run(*arguments);
+    return was_interrupted() && status == 0 ? 130 : status;
+  }
+  print(answer);
+  return 0;
 } catch (const InputError& error) {
   return report(2, error.what());
 } catch (const Cancelled&) {

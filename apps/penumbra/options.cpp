@@ -266,7 +266,7 @@ void add_picture_options(CLI::App& command, Arguments& a) {
       "cpu, gl (OpenGL, by distances) or auto: gl for .glsl, cpu for the rest");
   add(
       "--time", "T", "0", [&](auto& t) { a.render.time = parse_number("--time", t, -1e9, 1e9); },
-      "iTime of shaders, seconds");
+      "seconds: the moment of what moves, iTime of shaders");
   add(
       "--entry", "NAME", "auto",
       [&](auto& t) { a.entry = static_cast<Entry>(parse_choice("--entry", t, kEntries)); },
@@ -294,6 +294,29 @@ void add_run_options(CLI::App& command, Arguments& a) {
       "--stats", "FILE.json", "", [&](auto& t) { a.stats = t; },
       "write counts, seconds and memory");
   command.add_flag("-q,--quiet", a.quiet, "say nothing but errors")->group("Run");
+}
+
+void add_animation_options(CLI::App& command, Arguments& a) {
+  const auto add = [&](const char* name, const char* value, const char* shown, auto read,
+                       const char* help) {
+    add_value(command, a, name, value, shown, read, help)->group("Film");
+  };
+  add(
+      "--frames", "N", "to the last keyframe",
+      [&](auto& t) {
+        a.animation.frames = static_cast<int>(parse_integer("--frames", t, 1, 1'000'000));
+      },
+      "how many; shaders and turntables go on for 4 s without it");
+  add(
+      "--fps", "F", "24",
+      [&](auto& t) { a.animation.frames_per_second = parse_number("--fps", t, 1e-3, 1e4); },
+      "frames a second; the first shows --time");
+  add(
+      "--turntable", "DEGREES", "0",
+      [&](auto& t) { a.animation.turntable = parse_number("--turntable", t, -1e6, 1e6); },
+      "how far the camera goes round the scene; 360 comes back to the first frame");
+  command.add_flag("--resume", a.animation.resume, "keep frames that are there already")
+      ->group("Film");
 }
 
 void add_conversion_options(CLI::App& command, Arguments& a) {

@@ -13,6 +13,8 @@ void add_shadow_options(CLI::App& command, Arguments& arguments);
 void add_light_options(CLI::App& command, Arguments& arguments);
 void add_picture_options(CLI::App& command, Arguments& arguments);
 void add_run_options(CLI::App& command, Arguments& arguments);
+/// --frames, --fps, --turntable and --resume.
+void add_animation_options(CLI::App& command, Arguments& arguments);
 /// --voxel-size and --bounds.
 void add_conversion_options(CLI::App& command, Arguments& arguments);
 

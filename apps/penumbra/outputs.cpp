@@ -81,8 +81,8 @@ bool has_extension(const std::string& file, const std::string& extension) {
 }
 
 void check_outputs(const Arguments& a) {
-  if (a.command == Command::render && !has_extension(a.output, ".png") &&
-      !has_extension(a.output, ".exr"))
+  const bool is_picture = a.command == Command::render || a.command == Command::animate;
+  if (is_picture && !has_extension(a.output, ".png") && !has_extension(a.output, ".exr"))
     throw InputError({a.output}, "this is no picture format that can be written",
                      "let it end in .png or .exr");
   if (a.command == Command::bake && !has_extension(a.output, ".glb"))

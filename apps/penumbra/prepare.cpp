@@ -99,7 +99,8 @@ void warn_of_idle_options(const Arguments& arguments, Console& console) {
 
 Scene prepare_scene(const Arguments& arguments, Console& console) {
   console.start("load", 0);
-  Scene scene = load_scene(arguments.scene, {.add_missing_camera_and_light = false});
+  Scene scene = load_scene(arguments.scene,
+                           {.add_missing_camera_and_light = false, .time = arguments.render.time});
   if (!arguments.keep_scene_lights) drop_lights(scene);
   scene.lights.insert(scene.lights.end(), arguments.lights.begin(), arguments.lights.end());
   add_what_is_missing(scene, arguments.keep_scene_lights && scene.lights.empty());

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "bake/stored_light.h"
-#include "baked_light.h"
 #include "base/error.h"
 #include "commands.h"
 #include "device.h"
 #include "memory.h"
 #include "outputs.h"
+#include "picture.h"
 #include "prepare.h"
 #include "stats.h"
+#include "stored_picture.h"
 
 namespace penumbra::app {
 namespace {
@@ -67,54 +67,6 @@ Json::Value stats_of(const Arguments& arguments, const Scene& scene, std::size_t
   return json;
 }
 
-bool has(const Arguments& arguments, const char* option) {
-  return std::ranges::find(arguments.given, option) != arguments.given.end();
-}
-
-// A file with visibility in it is shown by it unless another method is named.
-void prefer_stored(Arguments& arguments, const Scene& scene, Console& console) {
-  ShadowKind& kind = arguments.render.shadows.kind;
-  if (!scene.stores_visibility) return;
-  if (!has(arguments, "--shadows") && arguments.device != Device::gl)
-    kind = ShadowKind::heckbert_herf;
-  if (kind != ShadowKind::heckbert_herf) return;
-  for (const char* option : {"--light-samples", "--texel-size", "--sample-grid"})
-    if (has(arguments, option))
-      console.warn(fmt::format("{} has no effect: the file holds baked visibility", option));
-}
-
-// What the file knows of its lights, if that is to be shown.
-std::unique_ptr<bake::StoredLight> stored_light(const Arguments& arguments, const Scene& scene,
-                                                Console& console) {
-  if (arguments.render.shadows.kind != ShadowKind::heckbert_herf) return nullptr;
-  auto stored = std::make_unique<bake::StoredLight>(arguments.scene, scene);
-  console.remark(fmt::format("shadows: {} stored in the file", stored->what()));
-  return stored;
-}
-
-// Counts bytes of structures and seconds of building them.
-RenderResult render_by_device(Arguments& arguments, const Scene& scene, std::size_t& bytes,
-                              Phases& phases, Console& console) {
-  if (draws_with_gl(arguments, scene)) {
-    adapt_to_gl(arguments, scene, console);
-    return render_gl(scene, arguments.render, arguments.entry, console);
-  }
-  const Stopwatch build;
-  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf && !scene.stores_visibility) {
-    const BakedLight baked(scene, arguments, console);
-    phases.build = build.seconds();
-    bytes = baked.world().memory_bytes();
-    arguments.render.known = &baked.light();
-    return render(baked.world(), arguments.render, console);
-  }
-  const std::unique_ptr<World> world = build_world(scene, arguments, console);
-  const auto stored = stored_light(arguments, scene, console);
-  if (stored) arguments.render.known = stored.get();
-  phases.build = build.seconds();
-  bytes = world->memory_bytes();
-  return render(*world, arguments.render, console);
-}
-
 }  // namespace
 
 void run_render(Arguments& arguments, Console& console) {
@@ -131,8 +83,9 @@ void run_render(Arguments& arguments, Console& console) {
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);
   check_steps_are_counted(arguments, scene);
-  std::size_t bytes = 0;
-  const RenderResult result = render_by_device(arguments, scene, bytes, phases, console);
+  const Picture picture = make_picture(arguments, scene, console);
+  const RenderResult& result = picture.result;
+  phases.build = picture.seconds_build;
   for (const std::string& text : result.warnings) console.warn(text);
   warn_of_unfinished(result.stats.shadows, console);
   if (const auto lost = result.stats.unfinished_rays; lost > 0)
@@ -148,7 +101,8 @@ void run_render(Arguments& arguments, Console& console) {
   console.finish();
   phases.write = write.seconds();
   if (!arguments.stats.empty())
-    write_stats(arguments.stats, stats_of(arguments, scene, bytes, result.stats, phases));
+    write_stats(arguments.stats,
+                stats_of(arguments, scene, picture.structure_bytes, result.stats, phases));
 }
 
 }  // namespace penumbra::app

@@ -53,9 +53,15 @@ void Assembly::add_textured(const CutChart& chart, const ChartPlace& place, cons
   GlbPrimitive& out = primitive(shape.instance, material);
   out.uv.resize(keep_shading ? 3 : 1);
   add_triangles(mesh, shape.triangles, shape.back, out, [&](std::uint32_t t, int k) {
-    const Vec2 at = place.in_page(frame.texels(mesh.corner(t, k)));
-    out.uv[keep_shading ? 1 : 0].push_back(
-        {at.x / static_cast<float>(page.width), at.y / static_cast<float>(page.height)});
+    const std::uint32_t vertex = mesh.vertex(t, k);
+    std::vector<Vec2>& uv = out.uv[keep_shading ? 1 : 0];
+    if (shape.uv) {
+      const Vec2 &own = mesh.mesh().uv[shape.uv->set][vertex], &tile = shape.uv->tile;
+      uv.push_back({own.x - tile.x, own.y - tile.y});
+    } else {
+      const Vec2 at = place.in_page(frame.texels(mesh, vertex));
+      uv.push_back({at.x / static_cast<float>(page.width), at.y / static_cast<float>(page.height)});
+    }
     if (keep_shading) append_shading(mesh, t, k, shape.back, out);
   });
 }

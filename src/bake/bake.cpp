@@ -197,7 +197,7 @@ class Bake {
     light.exposure_ev = input_.exposure_ev;
     if (output_ == Output::lightmap)
       light.quantity = Quantity::irradiance;
-    else
+    else if (!plan_.placed)
       light.vertex_error = vertex_error;
     return light;
   }
@@ -215,11 +215,14 @@ class Bake {
         stats.saved_texels += texels_of(plan_.charts[i]);
       }
     }
-    placed_ = place_charts(charts, options_.power_of_two);
+    placed_ = plan_.placed ? *plan_.placed : place_charts(charts, options_.power_of_two);
     stats.charts = lit_.size();
     stats.pages = placed_.pages.size();
   }
 
+  const Object& object_of(std::uint32_t instance) const {
+    return input_.scene.objects[input_.scene.instances[instance].object];
+  }
   const Material& material_of(std::uint32_t instance) const {
     return input_.scene.materials[input_.scene.instances[instance].material];
   }
@@ -264,7 +267,8 @@ class Bake {
   }
 
   void assemble_lightmap() {
-    materials_.emplace(input_.scene, static_cast<int>(placed_.pages.size()), baked_.model);
+    materials_.emplace(input_.scene, static_cast<int>(placed_.pages.size()), input_.source,
+                       baked_.model);
     std::size_t next = 0;
     for (const CutChart& chart : plan_.charts) {
       const ChartPlace& place = placed_.places[next++];
@@ -285,7 +289,7 @@ class Bake {
     for (std::size_t i = 0; i < placed_.pages.size(); ++i) {
       const Page page = pages.fill(static_cast<int>(i));
       if (cancel_requested && !(input_.finish_early && input_.finish_early())) throw Cancelled();
-      std::string& png = baked_.model.images[i].png;
+      std::string& png = baked_.model.images[i].bytes;
       if (output_ == Output::lightmap) {
         intensities_.push_back(brightest(page.color()));
         png = encode_linear_png(page.color(), intensities_.back());
@@ -301,6 +305,9 @@ class Bake {
   void finish_lightmap() {
     materials_->set_intensities(intensities_);
     baked_.model.lights = input_.scene.lights;
+    for (Light& light : baked_.model.lights)
+      if (light.type == LightType::mesh && light.name == "mesh")
+        light.name = object_of(static_cast<std::uint32_t>(light.instance)).name;
     Json::Value& out = baked_.description;
     out["unit"] = "irradiance, W/m² per channel, linear sRGB primaries";
     for (std::size_t i = 0; i < intensities_.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "bake/plan.h"
 #include "base/progress.h"
 #include "render/direct_light.h"
+#include "scene/gltf_materials.h"
 
 namespace penumbra::bake {
 
@@ -23,6 +24,9 @@ struct BakeInput {
   /// light_in_passes() of this, instead of `irradiance`; null: all points at once.
   const BakedIrradiance* refined = nullptr;
   PassOptions passes = {};
+  /// Lightmaps: the materials of the glTF file that the scene was read from, kept as they are;
+  /// null: written from the scene's.
+  const GltfMaterials* source = nullptr;
   /// Asked when the work is cancelled. True: what there is shall be finished, and cancel_requested
   /// is false again; charts that are not lit are lit by light_in_passes() of `hasty` for a second,
   /// or as long as the first pass takes. Null: never.

@@ -22,8 +22,15 @@ enum class SamplePlacement : std::uint8_t {
   low_discrepancy  ///< the Hammersley set
 };
 
+/// How curved charts are shadowed.
+enum class CurvedShadows : std::uint8_t {
+  rays,  ///< a shadow ray for each texel and sample
+  plane  ///< on a plane, and projected (Heckbert and Herf 1997, section 3.9 and figure 5)
+};
+
 struct BakeOptions {
   BakeDevice device = BakeDevice::automatic;
+  CurvedShadows curved = CurvedShadows::rays;
   SamplePlacement placement = SamplePlacement::jittered;
   int light_samples = 0;              ///< points a light; 0: by the solid angle below
   float solid_angle = 0.001f;         ///< each point stands for less than this of a light, sr

@@ -103,6 +103,9 @@ class StoreBake {
     if (options_.supersample > 1)
       throw InputError("--supersample: samples are stored for one point a texel",
                        "leave it out, or give --store visibility");
+    if (plan_.placed)
+      throw InputError("--uv: samples are stored for charts of our own alone",
+                       "leave it out, or give --store visibility");
     if (sight_.options().device == BakeDevice::gl)
       throw InputError("--device: OpenGL adds samples up and keeps none for --store samples",
                        "choose cpu, rays or auto");
@@ -113,9 +116,13 @@ class StoreBake {
   }
 
   void place() {
-    for (const CutChart& chart : plan_.charts)
-      if (!emits(chart.shape)) charts_.push_back(chart);
-    placed_ = place_charts(charts_, options_.power_of_two);
+    if (plan_.placed) placed_.pages = plan_.placed->pages, placed_.areas = plan_.placed->areas;
+    for (std::size_t i = 0; i < plan_.charts.size(); ++i) {
+      if (emits(plan_.charts[i].shape)) continue;
+      charts_.push_back(plan_.charts[i]);
+      if (plan_.placed) placed_.places.push_back(plan_.placed->places[i]);
+    }
+    if (!plan_.placed) placed_ = place_charts(charts_, options_.power_of_two);
     BakeStats& stats = baked_.stats;
     stats.charts = charts_.size(), stats.pages = placed_.pages.size();
     for (const CutChart& chart : charts_) stats.texels += texels_of(chart.shape);
@@ -126,7 +133,7 @@ class StoreBake {
   }
 
   void assemble() {
-    LightmapMaterials materials(scene_, 0, baked_.model);
+    LightmapMaterials materials(scene_, 0, input_.source, baked_.model);
     for (std::size_t i = 0; i < charts_.size(); ++i) {
       const ChartPlace& place = placed_.places[i];
       const std::uint32_t instance = charts_[i].shape.instance;

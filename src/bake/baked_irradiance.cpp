@@ -1,6 +1,7 @@
 #include "bake/baked_irradiance.h"
 
 #include <algorithm>
+
 #include "bake/cost.h"
 #include "bake/gl/gl_baker.h"
 #include "bake/raster_baker.h"
@@ -11,7 +12,7 @@
 namespace penumbra::bake {
 namespace {
 
-constexpr std::size_t texels_a_piece = 256;
+constexpr std::size_t texels_a_piece = 256, points_a_look = 16384;
 
 float instance_scale(const BakeOptions& options, std::uint32_t instance) {
   return instance < options.instance_scale.size() ? options.instance_scale[instance] : 1.0f;
@@ -28,6 +29,22 @@ ReceiverPatch patch_of(const PlanarChart& c, const BakeOptions& options,
 ReceiverPatch patch_of(const Receiver& r, float scale, const SampleSet& set) {
   return {
       {r.position, r.position, r.position, r.position}, r.normal, scale * set.share, set.number};
+}
+
+/// True if all of a light's samples are on the lit side of the chart's plane.
+bool is_before(const SampledLight& light, const PlanarChart& chart) {
+  return std::ranges::all_of(light.samples, [&](const LightSample& s) {
+    const Vec3 to = light.kind == EmitterKind::direction ? s.position : s.position - chart.base;
+    return dot(to, chart.normal) > 0;
+  });
+}
+
+/// Per unit emission, by the light's samples.
+float unshadowed(const SampledLight& light, const Vec3& p, const Vec3& n) {
+  if (light.is_ratio()) return whole_irradiance_of(light, p, n) * light.spot_part(p);
+  float sum = 0;
+  for (const LightSample& s : light.samples) sum += irradiance_of(light, s, p, n);
+  return sum * light.spot_part(p);
 }
 
 /// Calls body(first, last) for pieces of [0, count).
@@ -68,17 +85,34 @@ struct BakedIrradiance::Parts {
       gl = std::make_unique<GlBaker>(*occluders);
     else
       raster = std::make_unique<RasterBaker>(*occluders);
+    if (options.device == BakeDevice::automatic) gl = GlBaker::on_graphics_processor(*occluders);
   }
 
-  bool rasterises(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
-    if (options.device != BakeDevice::automatic) return raster != nullptr;
-    const Tile whole(chart, 0, 0, chart.width, chart.height);
-    float raster_seconds = 0, ray_seconds = 0;
-    for (const SampledLight& light : sampled) {
-      raster_seconds += raster_cost(*occluders, whole, light).seconds;
-      ray_seconds += ray_cost(whole, light);
+  Way way(const PlanarChart& chart, std::span<const SampledLight> sampled) const {
+    switch (options.device) {
+      case BakeDevice::rays:
+        return Way::rays;
+      case BakeDevice::cpu:
+        return Way::raster;
+      case BakeDevice::gl:
+        return Way::gl;
+      case BakeDevice::automatic:
+        break;
     }
-    return raster_seconds <= ray_seconds;
+    const Tile whole(chart, 0, 0, chart.width, chart.height);
+    return cheapest_way(*occluders, whole, sampled, gl != nullptr, thread_count());
+  }
+
+  void irradiance(const PlanarChart& chart, std::span<const SampledLight> sampled,
+                  std::span<Vec3> out) const {
+    const Way chosen = way(chart, sampled);
+    if (chosen == Way::gl) return gl->irradiance(chart, sampled, out);
+    if (chosen == Way::raster) return raster->irradiance(chart, sampled, out);
+    for_texels(chart, [&](std::size_t i, const Receiver& texel) {
+      out[i] = {};
+      for (const SampledLight& light : sampled)
+        out[i] += light.emission * rays.light(texel, light).irradiance;
+    });
   }
 
   /// Calls body(number, receiver, patch) for all points.
@@ -101,7 +135,7 @@ struct BakedIrradiance::Parts {
   RayBaker rays;
   std::unique_ptr<Occluders> occluders;  ///< null for rays
   std::unique_ptr<RasterBaker> raster;   ///< null for rays and gl
-  std::unique_ptr<GlBaker> gl;           ///< null for others
+  std::unique_ptr<GlBaker> gl;           ///< for gl, and for auto on a graphics processor
 };
 
 BakedIrradiance::BakedIrradiance(const World& world, const BakeOptions& options)
@@ -125,13 +159,7 @@ void BakedIrradiance::of_chart(const PlanarChart& chart, const SampleSet& set,
   std::vector<SampledLight> lights;
   for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
     lights.push_back(p.sampler.sample(l, patch_of(chart, p.options, set)));
-  if (p.gl) return p.gl->irradiance(chart, lights, out);
-  if (p.rasterises(chart, lights)) return p.raster->irradiance(chart, lights, out);
-  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
-    out[i] = {};
-    for (const SampledLight& light : lights)
-      out[i] += light.emission * p.rays.light(texel, light).irradiance;
-  });
+  p.irradiance(chart, lights, out);
 }
 
 void BakedIrradiance::of_points(std::span<const SurfacePoint> points, const SampleSet& set,
@@ -146,23 +174,55 @@ void BakedIrradiance::of_points(std::span<const SurfacePoint> points, const Samp
   });
 }
 
+void BakedIrradiance::of_curved(const PlanarChart& plane, std::span<const SurfacePoint> points,
+                                std::span<const std::size_t> texels, const SampleSet& set,
+                                std::span<Vec3> out) const {
+  const Parts& p = *parts_;
+  if (p.options.curved == CurvedShadows::rays) {
+    for (std::size_t first = 0; first < points.size(); first += points_a_look) {
+      throw_if_cancelled();
+      const std::size_t count = std::min(points_a_look, points.size() - first);
+      of_points(points.subspan(first, count), set, out.subspan(first, count));
+    }
+    return;
+  }
+  std::ranges::fill(out, Vec3());
+  std::vector<Vec3> arrives(static_cast<std::size_t>(plane.width) *
+                            static_cast<std::size_t>(plane.height));
+  for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l) {
+    throw_if_cancelled();
+    const ReceiverPatch patch = patch_of(plane, p.options, set);
+    SampledLight light = p.sampler.sample(l, patch, true);
+    const Vec3 emission = light.emission;
+    const bool on_plane = is_before(light, plane);
+    if (on_plane) {
+      light.emission = Vec3(1);
+      p.irradiance(plane, std::span(&light, 1), arrives);
+    }
+    p.for_points(points, set, [&](std::size_t i, const Receiver& r, const ReceiverPatch& own) {
+      if (!on_plane) {
+        out[i] += emission * p.rays.light(r, p.sampler.sample(l, own)).irradiance;
+        return;
+      }
+      const std::size_t row = texels[i] / static_cast<std::size_t>(plane.width);
+      const Vec3 below =
+          plane.texel(static_cast<float>(texels[i] - row * static_cast<std::size_t>(plane.width)),
+                      static_cast<float>(row));
+      const float all = unshadowed(light, below, plane.normal);
+      const float part = all > 0 ? std::min(arrives[texels[i]].x / all, 1.0f) : 0.0f;
+      if (part > 0) out[i] += emission * (part * unshadowed(light, r.position, r.normal));
+    });
+  }
+}
+
 void BakedIrradiance::unit_irradiances(const PlanarChart& chart, std::size_t light,
                                        std::span<float> out) const {
   const Parts& p = *parts_;
   SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
-  if (p.gl || p.rasterises(chart, std::span(&sampled, 1))) {
-    sampled.emission = Vec3(1);
-    std::vector<Vec3> all(out.size());
-    if (p.gl)
-      p.gl->irradiance(chart, std::span(&sampled, 1), all);
-    else
-      p.raster->irradiance(chart, std::span(&sampled, 1), all);
-    std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
-    return;
-  }
-  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
-    out[i] = p.rays.light(texel, sampled).irradiance;
-  });
+  sampled.emission = Vec3(1);
+  std::vector<Vec3> all(out.size());
+  p.irradiance(chart, std::span(&sampled, 1), all);
+  std::ranges::transform(all, out.begin(), [](const Vec3& e) { return e.x; });
 }
 
 void BakedIrradiance::unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
@@ -177,9 +237,9 @@ void BakedIrradiance::lit_parts(const PlanarChart& chart, std::size_t light,
                                 std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
-  if (p.gl) return p.gl->fractions(chart, sampled, BakeQuantity::lit_part, out);
-  if (p.rasterises(chart, std::span(&sampled, 1)))
-    return p.raster->fractions(chart, sampled, BakeQuantity::lit_part, out);
+  const Way way = p.way(chart, std::span(&sampled, 1));
+  if (way == Way::gl) return p.gl->fractions(chart, sampled, BakeQuantity::lit_part, out);
+  if (way == Way::raster) return p.raster->fractions(chart, sampled, BakeQuantity::lit_part, out);
   for_texels(chart, [&](std::size_t i, const Receiver& texel) {
     out[i] = p.rays.light(texel, sampled).lit_part;
   });
@@ -205,7 +265,7 @@ std::vector<SampledLight> BakedIrradiance::sampled_lights(const PlanarChart& cha
 void BakedIrradiance::visible_samples(const PlanarChart& chart, const SampledLight& light,
                                       SampleBits& bits) const {
   const Parts& p = *parts_;
-  if (p.rasterises(chart, std::span(&light, 1)))
+  if (p.raster && p.way(chart, std::span(&light, 1)) != Way::rays)
     return p.raster->visible_samples(chart, light, bits);
   const auto width = static_cast<std::size_t>(chart.width);
   std::vector<std::uint8_t> row(width * light.samples.size());
@@ -238,9 +298,9 @@ void BakedIrradiance::visible_fractions(const PlanarChart& chart, std::size_t li
                                         std::span<float> out) const {
   const Parts& p = *parts_;
   const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options), true);
-  if (p.gl) return p.gl->fractions(chart, sampled, BakeQuantity::visible_fraction, out);
-  if (p.rasterises(chart, std::span(&sampled, 1)))
-    return p.raster->fractions(chart, sampled, BakeQuantity::visible_fraction, out);
+  const Way way = p.way(chart, std::span(&sampled, 1));
+  if (way == Way::gl) return p.gl->visible_fractions(chart, sampled, out);
+  if (way == Way::raster) return p.raster->visible_fractions(chart, sampled, out);
   for_texels(chart, [&](std::size_t i, const Receiver& texel) {
     out[i] = p.rays.light(texel, sampled).fraction;
   });

@@ -29,9 +29,19 @@ class BakedIrradiance final : public Irradiance {
   void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override {
     of_points(points, {}, out);
   }
+  /// By rays or, if the options say so, by shadows on the plane: the irradiance that reaches the
+  /// points if nothing hides it, times the part of the plane's that arrives at their texels. Rays
+  /// where a light is not wholly before the plane.
+  void of_curved(const PlanarChart& plane, std::span<const SurfacePoint> points,
+                 std::span<const std::size_t> texels, std::span<Vec3> out) const override {
+    of_curved(plane, points, texels, {}, out);
+  }
   /// By a set of the samples alone: the mean of many sets, weighted by share, is the irradiance.
   void of_chart(const PlanarChart& chart, const SampleSet& set, std::span<Vec3> out) const;
   void of_points(std::span<const SurfacePoint> points, const SampleSet& set,
+                 std::span<Vec3> out) const;
+  void of_curved(const PlanarChart& plane, std::span<const SurfacePoint> points,
+                 std::span<const std::size_t> texels, const SampleSet& set,
                  std::span<Vec3> out) const;
   /// The points on each light for a chart; those of a curved one have more or fewer, each for
   /// itself.

@@ -146,16 +146,7 @@ class Cutter {
 
   /// That of the base-colour texture where this is finer, as far as allowed.
   float texel_size(const TriangleIds& triangles) {
-    const Material& material = scene_.materials[mesh_.instance().material];
-    const TextureSlot& slot = material.diffuse_map;
-    if (!slot.used() || mesh_.mesh().uv[slot.uv_set].empty()) return options_.texel_size;
-    const TextureImage& image = scene_.textures[static_cast<std::size_t>(slot.image)];
-    if (image.width == 1 && image.height == 1) return options_.texel_size;
-    double world = 0, texture = 0;
-    for (const std::uint32_t t : triangles) world += mesh_.area(t), texture += uv_area(t, slot);
-    texture *= std::abs(double{slot.scale.x} * slot.scale.y) * image.width * image.height;
-    if (!(texture > 0)) return options_.texel_size;
-    const auto wanted = static_cast<float>(std::sqrt(world / texture));
+    const float wanted = base_color_texel(scene_, mesh_, triangles).value_or(options_.texel_size);
     if (wanted < options_.finest * options_.texel_size) remark(remarks_.blurred);
     return std::clamp(wanted, options_.finest * options_.texel_size, options_.texel_size);
   }
@@ -188,14 +179,6 @@ class Cutter {
     return 0;
   }
 
-  double uv_area(std::uint32_t t, const TextureSlot& slot) const {
-    const std::vector<Vec2>& uv = mesh_.mesh().uv[slot.uv_set];
-    const Vec2 &a = uv[mesh_.vertex(t, 0)], &b = uv[mesh_.vertex(t, 1)],
-               &c = uv[mesh_.vertex(t, 2)];
-    return 0.5 *
-           std::abs(static_cast<double>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
-  }
-
   void remark(std::vector<std::string>& names) const {
     const std::string& name = scene_.objects[mesh_.instance().object].name;
     if (names.empty() || names.back() != name) names.push_back(name);
@@ -210,7 +193,28 @@ class Cutter {
   std::vector<CutChart> charts_;
 };
 
+double uv_area(const WorldMesh& mesh, std::uint32_t t, const std::vector<Vec2>& uv) {
+  const Vec2 &a = uv[mesh.vertex(t, 0)], &b = uv[mesh.vertex(t, 1)], &c = uv[mesh.vertex(t, 2)];
+  return 0.5 * std::abs(static_cast<double>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+
 }  // namespace
+
+std::optional<float> base_color_texel(const Scene& scene, const WorldMesh& mesh,
+                                      std::span<const std::uint32_t> triangles) {
+  const TextureSlot& slot = scene.materials[mesh.instance().material].diffuse_map;
+  if (!slot.used() || mesh.mesh().uv[slot.uv_set].empty()) return {};
+  const TextureImage& image = scene.textures[static_cast<std::size_t>(slot.image)];
+  if (image.width == 1 && image.height == 1) return {};
+  double world = 0, texture = 0;
+  for (const std::uint32_t t : triangles) {
+    world += mesh.area(t);
+    texture += uv_area(mesh, t, mesh.mesh().uv[slot.uv_set]);
+  }
+  texture *= std::abs(double{slot.scale.x} * slot.scale.y) * image.width * image.height;
+  if (!(texture > 0)) return {};
+  return static_cast<float>(std::sqrt(world / texture));
+}
 
 std::vector<CutChart> cut_charts(const Scene& scene, const WorldMesh& mesh,
                                  const Adjacency& adjacency, bool back, const ChartOptions& options,

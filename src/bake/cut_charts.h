@@ -29,9 +29,14 @@ struct ChartOptions {
 
 /// What the charts could not do as asked, for people.
 struct ChartRemarks {
-  std::vector<std::string> coarse;   ///< names of objects whose charts met most_texels
-  std::vector<std::string> blurred;  ///< whose base-colour texture is finer than the texels
+  std::vector<std::string> coarse;    ///< names of objects whose charts met most_texels
+  std::vector<std::string> blurred;   ///< whose base-colour texture is finer than the texels
+  std::vector<std::string> squeezed;  ///< whose layout leaves some triangles no texels of their own
 };
+
+/// The side of the base-colour texture's texels on these triangles, metres; none: no texture.
+std::optional<float> base_color_texel(const Scene& scene, const WorldMesh& mesh,
+                                      std::span<const std::uint32_t> triangles);
 
 /// Cuts one side of an instance into charts. Every triangle is in one of them.
 ///

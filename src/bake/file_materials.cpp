@@ -1,6 +1,9 @@
 #include "bake/file_materials.h"
 
+#include <json/reader.h>
+
 #include <algorithm>
+#include <memory>
 
 #include "image/png_bytes.h"
 
@@ -11,6 +14,15 @@ Json::Value array_of(const Vec3& v) {
   Json::Value a(Json::arrayValue);
   for (int i = 0; i < 3; ++i) a.append(static_cast<double>(v[i]));
   return a;
+}
+
+constexpr int own_samplers = 2;  // see GlbModel
+
+Json::Value parsed(const std::string& text) {
+  Json::Value value;
+  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+  reader->parse(text.data(), text.data() + text.size(), &value, nullptr);
+  return value;
 }
 
 void set_cutoff(Json::Value& material, float cutoff) {
@@ -46,8 +58,9 @@ int UnlitMaterials::find(int page, std::optional<float> alpha_cutoff) {
   return it->second;
 }
 
-LightmapMaterials::LightmapMaterials(const Scene& scene, int pages, GlbModel& model)
-    : scene_(scene), pages_(pages), model_(model) {
+LightmapMaterials::LightmapMaterials(const Scene& scene, int pages, const GltfMaterials* source,
+                                     GlbModel& model)
+    : scene_(scene), pages_(pages), source_(source), model_(model) {
   for (int i = 0; i < pages; ++i) {
     Json::Value texture;
     texture["source"] = i, texture["sampler"] = 0;
@@ -85,7 +98,7 @@ Json::Value LightmapMaterials::texture(const TextureSlot& slot) {
   return use;
 }
 
-Json::Value LightmapMaterials::material(const Material& in, const Use& use) {
+Json::Value LightmapMaterials::material(const Material& in) {
   Json::Value out;
   if (!in.name.empty()) out["name"] = in.name;
   Json::Value& pbr = out["pbrMetallicRoughness"];
@@ -100,17 +113,94 @@ Json::Value LightmapMaterials::material(const Material& in, const Use& use) {
   set_emission(in.emission, out);
   if (in.emission_map.used()) out["emissiveTexture"] = texture(in.emission_map);
   if (in.alpha_cutoff) set_cutoff(out, *in.alpha_cutoff);
-  if (in.double_sided && !use.one_sided) out["doubleSided"] = true;
-  if (use.page < 0) return out;
-  Json::Value& lightmap = out["extensions"]["MOZ_lightmap"];
-  lightmap["index"] = use.page, lightmap["texCoord"] = 1, lightmap["intensity"] = 1.0;
+  if (in.double_sided) out["doubleSided"] = true;
+  return out;
+}
+
+int LightmapMaterials::source_image(int index) {
+  const auto [it, is_new] = source_images_.try_emplace(index, -1);
+  if (!is_new) return it->second;
+  const GltfMaterials::Image& in = source_->images[static_cast<std::size_t>(index)];
+  if (in.bytes.empty() || in.mime_type.empty()) return -1;
+  it->second = static_cast<int>(model_.images.size());
+  model_.images.push_back({in.name, in.bytes, in.mime_type});
+  return it->second;
+}
+
+int LightmapMaterials::source_texture(int index) {
+  const auto [it, is_new] = source_textures_.try_emplace(index, -1);
+  if (!is_new) return it->second;
+  Json::Value texture = parsed(source_->textures[static_cast<std::size_t>(index)]);
+  if (source_samplers_ < 0) {
+    source_samplers_ = own_samplers;
+    for (const std::string& text : source_->samplers) model_.samplers.append(parsed(text));
+  }
+  if (texture.isMember("sampler"))
+    texture["sampler"] = source_samplers_ + texture["sampler"].asInt();
+  const auto move_source = [&](Json::Value& in) {
+    if (!in.isMember("source")) return;
+    const int image = source_image(in["source"].asInt());
+    if (image < 0)
+      in.removeMember("source");
+    else
+      in["source"] = image;
+  };
+  move_source(texture);
+  if (texture.isMember("extensions"))
+    for (const std::string& name : texture["extensions"].getMemberNames())
+      move_source(texture["extensions"][name]);
+  it->second = static_cast<int>(model_.textures.size());
+  model_.textures.append(texture);
+  return it->second;
+}
+
+/// False for a texture on TEXCOORD_2 or beyond.
+bool LightmapMaterials::adapt_use(Json::Value& use) {
+  Json::Value* where[] = {&use, nullptr};
+  if (use.isMember("extensions") && use["extensions"].isMember("KHR_texture_transform"))
+    where[1] = &use["extensions"]["KHR_texture_transform"];
+  int set = use.get("texCoord", 0).asInt();
+  if (where[1]) set = where[1]->get("texCoord", set).asInt();
+  if (set > 1) return false;
+  for (Json::Value* at : where)
+    if (at && at->isMember("texCoord") && (*at)["texCoord"].asInt() == 1) (*at)["texCoord"] = 2;
+  use["index"] = source_texture(use["index"].asInt());
+  return true;
+}
+
+void LightmapMaterials::adapt(Json::Value& part) {
+  if (!part.isObject()) return;
+  for (const std::string& key : part.getMemberNames()) {
+    if (key == "extras") continue;
+    Json::Value& value = part[key];
+    if (key.ends_with("Texture") && value.isObject() && value.isMember("index")) {
+      if (!adapt_use(value)) part.removeMember(key);
+    } else {
+      adapt(value);
+    }
+  }
+}
+
+Json::Value LightmapMaterials::source_material(const std::string& text) {
+  Json::Value out = parsed(text);
+  if (out.isMember("extensions")) out["extensions"].removeMember("MOZ_lightmap");
+  adapt(out);
   return out;
 }
 
 int LightmapMaterials::find(std::uint32_t material_index, int page, bool one_sided) {
   const Use use{material_index, page, one_sided};
   const auto [it, is_new] = known_.try_emplace(use, model_.materials.size());
-  if (is_new) model_.materials.append(material(scene_.materials[material_index], use));
+  if (!is_new) return it->second;
+  const bool is_source = source_ && material_index < source_->materials.size();
+  Json::Value out = is_source ? source_material(source_->materials[material_index])
+                              : material(scene_.materials[material_index]);
+  if (one_sided) out.removeMember("doubleSided");
+  if (page >= 0) {
+    Json::Value& lightmap = out["extensions"]["MOZ_lightmap"];
+    lightmap["index"] = page, lightmap["texCoord"] = 1, lightmap["intensity"] = 1.0;
+  }
+  model_.materials.append(out);
   return it->second;
 }
 

@@ -26,10 +26,8 @@ class Writer {
     add_lights(model_.lights, model_.lights_are_baked, root_, extensions_);
     add_images();
     if (!model_.materials.empty()) root_["materials"] = model_.materials;
-    for (const Json::Value& material : model_.materials)
-      if (material.isMember("extensions"))
-        for (const std::string& name : material["extensions"].getMemberNames())
-          extensions_.insert(name);
+    note_extensions(model_.materials);
+    note_extensions(model_.textures);
     for (const std::string& name : extensions_) root_["extensionsUsed"].append(name);
     add_scene();
     root_["bufferViews"] = buffer_.views();
@@ -41,6 +39,18 @@ class Writer {
   }
 
  private:
+  void note_extensions(const Json::Value& in) {
+    if (in.isArray())
+      for (const Json::Value& value : in) note_extensions(value);
+    if (!in.isObject()) return;
+    for (const std::string& key : in.getMemberNames()) {
+      if (key == "extras") continue;
+      if (key == "extensions")
+        for (const std::string& name : in[key].getMemberNames()) extensions_.insert(name);
+      note_extensions(in[key]);
+    }
+  }
+
   void add_asset() {
     Json::Value& asset = root_["asset"];
     asset["version"] = "2.0";
@@ -102,15 +112,17 @@ class Writer {
     for (const GlbImage& image : model_.images) {
       Json::Value out;
       if (!image.name.empty()) out["name"] = image.name;
-      out["mimeType"] = "image/png";
-      out["bufferView"] = buffer_.add_view(image.png);
+      out["mimeType"] = image.mime_type;
+      out["bufferView"] = buffer_.add_view(image.bytes);
       root_["images"].append(out);
     }
     if (model_.textures.empty()) return;
     root_["textures"] = model_.textures;
     constexpr int linear = 9729, mipmaps = 9987, clamp = 33071, repeat = 10497;
-    const bool repeats = std::ranges::any_of(
-        model_.textures, [](const Json::Value& texture) { return texture["sampler"] == 1; });
+    const bool repeats = !model_.samplers.empty() ||
+                         std::ranges::any_of(model_.textures, [](const Json::Value& texture) {
+                           return texture["sampler"] == 1;
+                         });
     for (const int wrap : {clamp, repeat}) {
       if (wrap == repeat && !repeats) break;
       Json::Value sampler;
@@ -118,6 +130,7 @@ class Writer {
       sampler["wrapS"] = sampler["wrapT"] = wrap;
       root_["samplers"].append(sampler);
     }
+    for (const Json::Value& sampler : model_.samplers) root_["samplers"].append(sampler);
   }
 
   void add_scene() {

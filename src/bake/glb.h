@@ -28,17 +28,19 @@ struct GlbNode {
 };
 
 struct GlbImage {
-  std::string name, png;
+  std::string name, bytes;
+  std::string mime_type = "image/png";
 };
 
 struct GlbModel {
   std::vector<GlbNode> nodes;
   std::vector<GlbImage> images;
-  /// As in the file; textures[i] shows images[i] by samplers[0 or 1].
+  /// As in the file. Samplers 0 and 1 clamp and repeat; `samplers` follow.
   Json::Value materials{Json::arrayValue};
   Json::Value textures{Json::arrayValue};
+  Json::Value samplers{Json::arrayValue};
   std::vector<Camera> cameras;
-  std::vector<Light> lights;              ///< of KHR_lights_punctual and EXT_lights_area
+  std::vector<Light> lights;              ///< see add_lights()
   bool lights_are_baked = true;           ///< says `"baked": true` in their extras
   Json::Value extras{Json::objectValue};  ///< of asset, under "penumbra"
   /// A bufferView of its own, whose number becomes extras.store.samples.bufferView; empty: none.
@@ -46,8 +48,7 @@ struct GlbModel {
 };
 
 /// The file's bytes: one scene, one buffer, images inside. Cameras and lights become nodes of their
-/// own. Light that glTF has no word for (segments, meshes) is left out. Throws InputError if the
-/// file would exceed the 4 GB that its format can say.
+/// own. Throws InputError if the file would exceed the 4 GB that its format can say.
 std::string glb_bytes(const GlbModel& model);
 
 }  // namespace penumbra::bake

@@ -70,6 +70,34 @@ bool is_flat(const Light& light) {
   return light.type == LightType::disk || light.type == LightType::rect;
 }
 
+/// As scene files have it; of a mesh what it emits.
+Json::Value described(const Light& in) {
+  Json::Value out;
+  out["type"] = to_string(in.type);
+  const auto set = [&](const char* key, const Vec3& v) { out[key] = array_of(Vec3d(v)); };
+  const Vec3 half_u = in.edge_u * 0.5f, half_v = in.edge_v * 0.5f;
+  const bool has_position =
+      in.type == LightType::point || in.type == LightType::sphere || in.type == LightType::disk;
+  if (has_position) set("position", in.position);
+  if (in.type == LightType::disk) set("normal", in.normal);
+  if (in.type == LightType::rect)
+    set("corner", in.position - half_u - half_v), set("edge_u", in.edge_u),
+        set("edge_v", in.edge_v);
+  if (in.type == LightType::segment)
+    set("from", in.position - half_u), set("to", in.position + half_u);
+  if (in.type == LightType::sphere || in.type == LightType::disk || in.type == LightType::segment)
+    out["radius"] = static_cast<double>(in.radius);
+  if (in.type == LightType::sun) {
+    set("direction", in.direction);
+    out["angular_diameter_deg"] = in.angular_diameter * 180 / pi;
+  }
+  set(in.type == LightType::point ? "intensity"
+      : in.type == LightType::sun ? "irradiance"
+                                  : "radiance",
+      in.emission);
+  return out;
+}
+
 Json::Value matrix_of(const Light& light) {
   if (light.type == LightType::sun) return matrix_facing({}, light.direction, {0, 1, 0});
   const bool turns = is_flat(light) || light.spot_cos_outer > -1;
@@ -97,16 +125,22 @@ Json::Value matrix_facing(const Vec3& origin, const Vec3& direction, const Vec3&
 void add_lights(const std::vector<Light>& lights, bool baked, Json::Value& root,
                 std::set<std::string>& extensions) {
   for (const Light& light : lights) {
-    if (!is_punctual(light) && !is_flat(light)) continue;
-    const char* name = is_flat(light) ? "EXT_lights_area" : "KHR_lights_punctual";
-    extensions.insert(name);
-    Json::Value out = is_flat(light) ? area(light) : punctual(light), node;
-    if (baked) out["extras"]["baked"] = true;
-    if (!light.name.empty()) out["name"] = node["name"] = light.name;
-    Json::Value& list = root["extensions"][name]["lights"];
-    node["extensions"][name]["light"] = list.size();
-    node["matrix"] = matrix_of(light);
-    list.append(out);
+    const bool is_known = is_punctual(light) || is_flat(light);
+    if (!is_known && !baked) continue;
+    Json::Value node;
+    if (!light.name.empty()) node["name"] = light.name;
+    if (baked) node["extras"]["baked"] = true, node["extras"]["light"] = described(light);
+    if (is_known) {
+      const char* name = is_flat(light) ? "EXT_lights_area" : "KHR_lights_punctual";
+      extensions.insert(name);
+      Json::Value out = is_flat(light) ? area(light) : punctual(light);
+      if (baked) out["extras"]["baked"] = true;
+      if (!light.name.empty()) out["name"] = light.name;
+      Json::Value& list = root["extensions"][name]["lights"];
+      node["extensions"][name]["light"] = list.size();
+      node["matrix"] = matrix_of(light);
+      list.append(out);
+    }
     root["nodes"].append(node);
   }
 }

@@ -11,8 +11,12 @@
 
 namespace penumbra::bake {
 
-/// Appends a node for each light that glTF can say: points, spheres (with `extras.radius`) and suns
-/// by KHR_lights_punctual, rectangles and disks by EXT_lights_area. Notes the extensions used.
+/// Appends a node for each light: points, spheres (with `extras.radius`) and suns by
+/// KHR_lights_punctual, rectangles and disks by EXT_lights_area. Segments and meshes, which glTF
+/// has no word for, are nodes with `extras` alone. Notes the extensions used.
+///
+/// `baked`: says `"baked": true` in the extras of nodes and lights, and in those of nodes also what
+/// the light was: `light` with its type and numbers as in a scene file.
 void add_lights(const std::vector<Light>& lights, bool baked, Json::Value& root,
                 std::set<std::string>& extensions);
 

@@ -1,6 +1,7 @@
 #include "bake/light_chart.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/cancel.h"
 #include "image/srgb.h"
@@ -44,7 +45,7 @@ void average(const ChartSamples& s, int n, int x, int y, ChartTexels& out) {
   const bool inside = count > 0;
   out.value.push_back(inside ? sum / count : nearest);
   if (!s.alphas.empty()) out.alpha.push_back(inside ? alpha / count : nearest_alpha);
-  out.is_known.push_back(distance < INFINITY);
+  out.is_known.push_back(inside ? 2 : distance < INFINITY ? 1 : 0);
 }
 
 ChartTexels averaged(const ChartSamples& s, const PlanarChart& shape, int n) {
@@ -82,8 +83,7 @@ std::vector<VertexColor> vertex_colors(const CutChart& chart, const WorldMesh& m
   std::ranges::sort(colors, {}, &VertexColor::vertex);
   const auto [first, last] = std::ranges::unique(colors, {}, &VertexColor::vertex);
   colors.erase(first, last);
-  for (VertexColor& c : colors)
-    c.color = sample(texels, chart.shape, frame.texels(mesh.positions()[c.vertex]));
+  for (VertexColor& c : colors) c.color = sample(texels, chart.shape, frame.texels(mesh, c.vertex));
   return colors;
 }
 
@@ -113,6 +113,21 @@ bool is_like_vertices(const CutChart& chart, const WorldMesh& mesh, const ChartT
   return true;
 }
 
+/// The chart's plane at the mean height of its triangles, with all triangles of the mesh for its
+/// own.
+PlanarChart plane_through(const PlanarChart& chart, const WorldMesh& mesh) {
+  PlanarChart plane = chart;
+  double height = 0, area = 0;
+  for (const std::uint32_t t : chart.triangles) {
+    const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0f;
+    height += mesh.area(t) * dot(chart.normal, middle - chart.base), area += mesh.area(t);
+  }
+  if (area > 0) plane.base += chart.normal * static_cast<float>(height / area);
+  plane.triangles.resize(mesh.triangle_count());
+  std::iota(plane.triangles.begin(), plane.triangles.end(), 0u);
+  return plane;
+}
+
 }  // namespace
 
 ChartSamples samples_of(const CutChart& chart, const WorldMesh& mesh, int supersample) {
@@ -136,12 +151,11 @@ void find_irradiance(const CutChart& chart, const WorldMesh& mesh, const Irradia
     which.push_back(i);
   }
   std::vector<Vec3> found(points.size());
-  constexpr std::size_t batch = 16384;
-  for (std::size_t first = 0; first < points.size(); first += batch) {
-    throw_if_cancelled();
-    const std::size_t count = std::min(batch, points.size() - first);
-    irradiance.of_points({points.data() + first, count}, {found.data() + first, count});
-  }
+  // What a mesh lays out itself is not seen along a normal.
+  if (chart.flat || chart.shape.uv)
+    irradiance.Irradiance::of_curved(s.grid, points, which, found);
+  else
+    irradiance.of_curved(plane_through(s.grid, mesh), points, which, found);
   for (std::size_t k = 0; k < which.size(); ++k) s.values[which[k]] = found[k];
 }
 

@@ -134,7 +134,7 @@ std::vector<Vec2> LightSampler::grid(std::size_t light, std::uint32_t set, int c
                                      float aspect) const {
   // The same for all receivers, so that neighbours that share a plane show no seam.
   return sample_grid(count, aspect, options_.placement,
-                     hash(options_.seed, light) + 0x9e3779b97f4a7c15u * set);
+                     hash(options_.seed, lights_.pattern_of(light)) + 0x9e3779b97f4a7c15u * set);
 }
 
 // Density on the sphere ∝ cos φ + b, φ from the axis towards the receiver, as far as c, the cosine
@@ -182,28 +182,29 @@ void LightSampler::add_mesh(std::size_t index, const ReceiverPatch& receiver, in
   out.flat = mesh.flat;
   out.two_sided = light.double_sided && !mesh.closed;
   out.own_instance = light.instance;
-  std::vector<std::uint32_t> faces;
-  std::vector<float> areas;
-  const auto add = [&](bool all) {
+  if (mesh.faces.empty()) return;
+  std::vector<std::uint32_t> faces;  // empty: all
+  std::vector<float> some;
+  if (!out.two_sided && !mesh.flat) {
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
       const LightFace& f = mesh.faces[i];
-      const bool turned = std::ranges::any_of(
-          receiver.corners, [&](const Vec3& c) { return MeshLight::turned(f, c); });
-      if (!all && !turned) continue;
+      if (std::ranges::none_of(receiver.corners,
+                               [&](const Vec3& c) { return MeshLight::turned(f, c); }))
+        continue;
       faces.push_back(i);
-      areas.push_back((areas.empty() ? 0 : areas.back()) + f.area);
+      some.push_back((some.empty() ? 0 : some.back()) + f.area);
     }
-  };
-  add(out.two_sided || mesh.flat);
-  // Its visible fraction is defined everywhere, as of all faces.
-  if (faces.empty()) add(true), out.measure = FractionMeasure::count;
-  if (faces.empty()) return;
+    // Its visible fraction is defined everywhere, as of all faces.
+    if (faces.empty()) out.measure = FractionMeasure::count;
+  }
+  const std::vector<float>& areas = faces.empty() ? mesh.areas : some;
   const float share = areas.back() / static_cast<float>(count);
-  for (const Vec2& p : grid(index, receiver.set, count, static_cast<float>(faces.size()) / 2)) {
+  const float aspect = static_cast<float>(areas.size()) / 2;
+  for (const Vec2& p : grid(index, receiver.set, count, aspect)) {
     const float before = p.x * areas.back();
     const auto at = std::upper_bound(areas.begin(), areas.end() - 1, before);
     const auto i = static_cast<std::size_t>(at - areas.begin());
-    const LightFace& f = mesh.faces[faces[i]];
+    const LightFace& f = mesh.faces[faces.empty() ? i : faces[i]];
     const float left = i > 0 ? before - areas[i - 1] : before;
     const float root = std::sqrt(std::clamp(left / f.area, 0.0f, 1.0f));
     out.samples.push_back(

@@ -26,11 +26,14 @@ void Page::put(const CutChart& chart, const ChartPlace& place, const ChartTexels
     const int i = static_cast<int>(k) % width, j = static_cast<int>(k) / width;
     const int x = place.turned ? place.x - i : place.x + i;
     const int y = place.turned ? place.y - j : place.y + j;
+    std::uint8_t& known =
+        known_[static_cast<std::size_t>(y) * static_cast<std::size_t>(color_.width) +
+               static_cast<std::size_t>(x)];
+    if (known && texels.is_known[k] < 2) continue;
     float* rgb = color_.at(x, y);
     for (int c = 0; c < 3; ++c) rgb[c] = texels.value[k][c];
     if (!texels.alpha.empty()) *alpha_.at(x, y) = texels.alpha[k];
-    known_[static_cast<std::size_t>(y) * static_cast<std::size_t>(color_.width) +
-           static_cast<std::size_t>(x)] = 1;
+    known = 1;
   }
 }
 

@@ -10,9 +10,10 @@ namespace penumbra::bake {
 
 /// What a chart's texels hold.
 struct ChartTexels {
-  std::vector<Vec3> value;             ///< radiance or irradiance, row by row
-  std::vector<float> alpha;            ///< empty: opaque
-  std::vector<std::uint8_t> is_known;  ///< 0: a texel that no part of the chart is near
+  std::vector<Vec3> value;   ///< radiance or irradiance, row by row
+  std::vector<float> alpha;  ///< empty: opaque
+  /// 0: no part of the chart is near the texel; 1: near; 2: within it.
+  std::vector<std::uint8_t> is_known;
 };
 
 /// Linear texels and what is known of them.
@@ -20,6 +21,8 @@ class Page {
  public:
   explicit Page(const AtlasPage& size);
 
+  /// What lies within a chart goes before what is near one, and that of the first chart before
+  /// that of others.
   void put(const CutChart& chart, const ChartPlace& place, const ChartTexels& texels);
   /// Spreads what is known over the rest of an area: each texel takes the mean of its neighbours
   /// that were known a step before.

@@ -26,6 +26,10 @@ class OfSet final : public Irradiance {
   void of_points(std::span<const SurfacePoint> points, std::span<Vec3> out) const override {
     all_.of_points(points, set_, out);
   }
+  void of_curved(const PlanarChart& plane, std::span<const SurfacePoint> points,
+                 std::span<const std::size_t> texels, std::span<Vec3> out) const override {
+    all_.of_curved(plane, points, texels, set_, out);
+  }
 
  private:
   const BakedIrradiance& all_;

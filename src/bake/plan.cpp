@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bake/atlas.h"
+#include "bake/uv_layout.h"
 #include "base/cancel.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -33,14 +34,19 @@ float default_texel_size(const Plan& plan) {
 double needed_bytes(const Plan& plan, const TextureOptions& options, double coarser) {
   double texels = 0, largest = 0;
   for (const CutChart& chart : plan.charts) {
-    const auto side = [&](const Vec3& edge) {
-      const double n = std::ceil(length(edge) / (chart.texel_size * coarser));
+    const auto side = [&](const Vec3& edge, int now) {
+      const double n = chart.shape.uv ? std::ceil(now / coarser)
+                                      : std::ceil(length(edge) / (chart.texel_size * coarser));
       return std::clamp(n, 2.0, static_cast<double>(largest_page - 2 * gutter));
     };
-    const double n = side(chart.shape.edge_x) * side(chart.shape.edge_y);
+    const double n =
+        side(chart.shape.edge_x, chart.shape.width) * side(chart.shape.edge_y, chart.shape.height);
     texels += n, largest = std::max(largest, n);
   }
-  const double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
+  double page = std::min(texels * 1.3, static_cast<double>(largest_page) * largest_page);
+  if (plan.placed)
+    for (const AtlasPage& p : plan.placed->pages)
+      page = std::max(page, double{1} * p.width * p.height / (coarser * coarser));
   const double at_work = std::min(largest * thread_count(), texels);
   const double samples = options.supersample * options.supersample;
   return kept_bytes * texels + page_bytes * page + work_bytes * samples * at_work +
@@ -53,7 +59,8 @@ double needed_by_pages(const Plan& plan) {
   double coarser = 0;
   for (const CutChart& chart : plan.charts)
     for (const Vec3& edge : {chart.shape.edge_x, chart.shape.edge_y})
-      coarser = std::max(coarser, static_cast<double>(length(edge) / plan.texel_size) / most);
+      if (!chart.shape.uv)
+        coarser = std::max(coarser, static_cast<double>(length(edge) / plan.texel_size) / most);
   return coarser;
 }
 
@@ -88,14 +95,19 @@ void check_size(const Plan& plan, const TextureOptions& options) {
       fmt::format("give --texel-size {}, or more by --max-memory", fits));
 }
 
+ChartOptions chart_options(const Plan& plan) {
+  ChartOptions options;
+  options.texel_size = plan.texel_size;
+  options.most_texels = largest_page - 2 * gutter;
+  return options;
+}
+
 void cut(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,
          Plan& plan) {
   const std::size_t count = plan.meshes.size();
   std::vector<std::vector<CutChart>> charts(count);
   std::vector<ChartRemarks> remarks(count);
-  ChartOptions options;
-  options.texel_size = plan.texel_size;
-  options.most_texels = largest_page - 2 * gutter;
+  const ChartOptions options = chart_options(plan);
   parallel_for(count, [&](std::size_t i) {
     if (!plan.receives[i]) return;
     for (const bool back : {false, true}) {
@@ -152,9 +164,13 @@ Plan make_plan(const Scene& scene, const TextureOptions& options) {
   });
   plan.backs.assign(backs.begin(), backs.end());
   const float by_itself = default_texel_size(plan), wanted = options.texel_size.value_or(by_itself);
-  if (wanted < by_itself / 4) check_early(scene, adjacencies, options, wanted / by_itself, plan);
+  if (wanted < by_itself / 4 && !options.existing_uv)
+    check_early(scene, adjacencies, options, wanted / by_itself, plan);
   plan.texel_size = wanted;
-  cut(scene, adjacencies, plan);
+  if (options.existing_uv)
+    lay_out_by_uv(scene, adjacencies, chart_options(plan), options.power_of_two, plan);
+  else
+    cut(scene, adjacencies, plan);
   check_size(plan, options);
   return plan;
 }

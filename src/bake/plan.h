@@ -4,13 +4,14 @@
 #include <memory>
 #include <optional>
 
-#include "bake/cut_charts.h"
+#include "bake/chart_blocks.h"
 
 namespace penumbra::bake {
 
 /// What a person may choose of textures.
 struct TextureOptions {
   std::optional<float> texel_size;     ///< metres; none: so that all receivers take 2²² texels
+  bool existing_uv = false;            ///< charts lie where the meshes' texture coordinates say
   bool power_of_two = false;           ///< sides of atlas pages
   int supersample = 1;                 ///< points along each side of a texel, 1 to 8
   std::vector<std::string> receivers;  ///< objects by name; empty: those that say so
@@ -24,6 +25,7 @@ struct Plan {
   std::vector<bool> receives;                      ///< by instance
   std::vector<bool> backs;                         ///< by instance: its back is seen
   std::vector<CutChart> charts;
+  std::optional<PlacedCharts> placed;  ///< of all charts; none: to be packed
   ChartRemarks remarks;
 
   std::uint64_t texel_count() const;

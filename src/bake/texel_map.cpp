@@ -25,7 +25,7 @@ struct FlatTriangle {
 
 FlatTriangle flat_triangle(const ChartFrame& frame, const WorldMesh& mesh, std::uint32_t t) {
   FlatTriangle flat;
-  for (int k = 0; k < 3; ++k) flat.corner[k] = frame.texels(mesh.corner(t, k));
+  for (int k = 0; k < 3; ++k) flat.corner[k] = frame.texels(mesh, mesh.vertex(t, k));
   flat.doubled_area = cross(flat.corner[1] - flat.corner[0], flat.corner[2] - flat.corner[0]);
   return flat;
 }
@@ -97,7 +97,8 @@ std::size_t texel_count(const PlanarChart& chart) {
 }  // namespace
 
 ChartFrame::ChartFrame(const PlanarChart& chart)
-    : base_(chart.base),
+    : uv_(chart.uv),
+      base_(chart.base),
       width_(static_cast<float>(chart.width)),
       height_(static_cast<float>(chart.height)) {
   const Vec3d x(chart.edge_x), y(chart.edge_y), n = penumbra::cross(x, y);
@@ -113,6 +114,12 @@ Vec2 ChartFrame::coordinates(const Vec3& p) const {
 Vec2 ChartFrame::texels(const Vec3& p) const {
   const Vec2 c = coordinates(p);
   return {c.x * width_, c.y * height_};
+}
+
+Vec2 ChartFrame::texels(const WorldMesh& mesh, std::uint32_t vertex) const {
+  if (!uv_) return texels(mesh.positions()[vertex]);
+  const Vec2 at = mesh.mesh().uv[uv_->set][vertex] - uv_->corner;
+  return {at.x / uv_->size.x * width_, at.y / uv_->size.y * height_};
 }
 
 std::vector<TexelPlace> map_texels(const PlanarChart& chart, const WorldMesh& mesh, float reach,

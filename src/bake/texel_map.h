@@ -41,8 +41,12 @@ class ChartFrame {
   explicit ChartFrame(const PlanarChart& chart);
   Vec2 coordinates(const Vec3& p) const;  ///< (s, t)
   Vec2 texels(const Vec3& p) const;  ///< (s width, t height): (½, ½) is texel (0, 0)'s centre
+  /// Where a vertex of the chart's mesh lies, by its texture coordinates if these lay the chart
+  /// out.
+  Vec2 texels(const WorldMesh& mesh, std::uint32_t vertex) const;
 
  private:
+  std::optional<UvWindow> uv_;
   Vec3d base_, along_x_, along_y_;
   float width_, height_;
 };

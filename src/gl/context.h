@@ -35,4 +35,9 @@ class Context {
   int longest_side_ = 0;
 };
 
+/// False for the names of drivers that draw on the processor: llvmpipe and its like.
+bool is_graphics_processor(const std::string& renderer);
+/// False where the system shows no graphics processor at all, so that none need be asked for.
+bool may_have_graphics_processor();
+
 }  // namespace penumbra::gl

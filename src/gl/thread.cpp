@@ -37,6 +37,7 @@ void Thread::live(Profile profile) {
   std::optional<Context> context;
   try {
     context.emplace(profile);
+    renderer_ = context->renderer();
   } catch (...) {
     error_ = std::current_exception(), ends_ = true;
   }

@@ -21,6 +21,9 @@ class Thread {
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
+  /// The driver's name for what draws.
+  const std::string& renderer() const { return renderer_; }
+
   /// Waits until the work is done; throws what it throws. From any thread but its own.
   void run(const std::function<void()>& work);
 
@@ -33,6 +36,7 @@ class Thread {
   const std::function<void()>* work_ = nullptr;
   bool busy_ = true, ends_ = false;
   std::exception_ptr error_;
+  std::string renderer_;
   std::thread thread_;
 };
 

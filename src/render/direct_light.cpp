@@ -93,7 +93,8 @@ DirectLight::Source DirectLight::source_of(const Light& light, const MeshLight& 
 void DirectLight::add_mesh(const MeshLight& mesh, Source& source) {
   source.patches = mesh_patches(mesh.faces, glossy_points);
   if (mesh.faces.size() > few_faces)
-    source.fine_patches = mesh_patches(mesh.faces, mesh_points);
+    source.fine_patches =
+        mesh_patches(mesh.faces, mesh.is_textured ? textured_points : mesh_points);
   else
     source.faces = mesh.faces;
 }
@@ -108,7 +109,7 @@ float DirectLight::mesh_irradiance(const Source& source, const Vec3& position, c
   for (const LightFace& f : source.faces) {
     if (!source.double_sided && !MeshLight::turned(f, position)) continue;
     const std::array<Vec3, 3> seen{f.a - position, f.b - position, f.c - position};
-    sum += polygon_irradiance(seen, normal, horizon);
+    sum += f.brightness * polygon_irradiance(seen, normal, horizon);
   }
   return std::min(sum, pi);
 }

@@ -13,8 +13,8 @@
 namespace penumbra {
 
 /// Points that stand for a light in glossy reflections; for the irradiance of a mesh light of more
-/// than few_faces faces.
-inline constexpr int glossy_points = 32, mesh_points = 128;
+/// than few_faces faces; of one with a texture.
+inline constexpr int glossy_points = 32, mesh_points = 128, textured_points = 256;
 inline constexpr std::size_t few_faces = 64;
 
 /// A piece of a light's surface.

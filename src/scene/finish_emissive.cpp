@@ -59,6 +59,26 @@ Vec3 area_weighted_centre(const Mesh& mesh) {
   return Vec3(origin + sum / area);
 }
 
+/// What of a texture's colours is a light of its own: those that it has, or all where it is grey.
+std::vector<Vec3> channels_of(const Scene& scene, const Material& material) {
+  if (!material.emission_map.used()) return {Vec3(1)};
+  const TextureImage& image = scene.textures[static_cast<std::size_t>(material.emission_map.image)];
+  bool is_grey = true, has[3] = {false, false, false};
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const std::uint8_t* rgb = &image.rgba[i];
+    is_grey = is_grey && rgb[0] == rgb[1] && rgb[1] == rgb[2];
+    for (int c = 0; c < 3; ++c) has[c] = has[c] || rgb[c] > 0;
+  }
+  std::vector<Vec3> channels;
+  if (is_grey && has[0]) return {Vec3(1)};
+  for (int c = 0; c < 3; ++c) {
+    if (!has[c] || !(material.emission[c] > 0)) continue;
+    channels.emplace_back();
+    channels.back()[c] = 1;
+  }
+  return channels;
+}
+
 void add_light(Scene& scene, std::size_t instance_index) {
   Instance& instance = scene.instances[instance_index];
   const Mesh& mesh = scene.meshes[instance.mesh];
@@ -67,11 +87,17 @@ void add_light(Scene& scene, std::size_t instance_index) {
   light.type = LightType::mesh;
   light.name = mesh.name.empty() ? "mesh" : mesh.name;
   light.position = area_weighted_centre(mesh);
-  light.emission = material.emission;
   light.double_sided = material.double_sided;
   light.instance = static_cast<int>(instance_index);
-  instance.mesh_light = static_cast<int>(scene.lights.size());
-  scene.lights.push_back(std::move(light));
+  const std::string name = light.name;
+  const std::vector<Vec3> channels = channels_of(scene, material);
+  if (!channels.empty()) instance.mesh_light = static_cast<int>(scene.lights.size());
+  for (const Vec3& channel : channels) {
+    light.emission = material.emission * channel;
+    if (channel != Vec3(1))
+      light.name = name + (channel.x > 0 ? " (red)" : channel.y > 0 ? " (green)" : " (blue)");
+    scene.lights.push_back(light);
+  }
 }
 
 /// The instance keeps the first part; the others become new ones at the end.
@@ -109,7 +135,8 @@ bool emits(const Scene& scene, const Instance& instance) {
 }  // namespace
 
 bool is_light_material(const Material& material) {
-  return max_component(material.emission) > 0 && !material.emission_map.used();
+  return max_component(material.emission) > 0 &&
+         (!material.emission_map.used() || material.emission_map_lights);
 }
 
 void unshare_emissive_meshes(Scene& scene) {

@@ -29,10 +29,12 @@ void repair_attributes(Scene& scene);
 /// Removes triangles without area, then instances without triangles, then meshes without instances.
 void drop_degenerate(Scene& scene);
 
-/// Splits emissive instances into connected parts with one mesh light each.
+/// Splits emissive instances into connected parts with one mesh light each; of a coloured emission
+/// texture one for each colour channel.
 void add_mesh_lights(Scene& scene);
 
-/// True if the material makes its surface a light: it emits without a texture for it.
+/// True if the material makes its surface a light: it emits, without a texture for it or with one
+/// that lights too.
 bool is_light_material(const Material& material);
 
 }  // namespace penumbra

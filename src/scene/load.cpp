@@ -14,12 +14,19 @@ namespace {
 
 struct Format {
   std::string_view extension;
-  Scene (*read)(const std::string&);
+  Scene (*read)(const std::string&, const LoadOptions&);
 };
+
+// Of formats in which nothing moves.
+template <Scene (*read)(const std::string&)>
+Scene still(const std::string& path, const LoadOptions&) {
+  return read(path);
+}
+
 constexpr Format formats[] = {{".json", read_json_scene}, {".gltf", read_gltf},
-                              {".glb", read_gltf},        {".obj", read_obj},
-                              {".ply", read_ply},         {".ply.gz", read_ply},
-                              {".stl", read_stl},         {".glsl", read_glsl_scene}};
+                              {".glb", read_gltf},        {".obj", still<read_obj>},
+                              {".ply", still<read_ply>},  {".ply.gz", still<read_ply>},
+                              {".stl", still<read_stl>},  {".glsl", still<read_glsl_scene>}};
 
 // Those that hold triangles.
 std::span<const Format> model_formats() {
@@ -44,7 +51,7 @@ std::string lower_case_name(const std::string& path) {
                    "known are " + list);
 }
 
-Scene read_as(const std::string& path, std::span<const Format> known) {
+Scene read_as(const std::string& path, std::span<const Format> known, const LoadOptions& options) {
   const std::string name = lower_case_name(path);
   const auto format =
       std::ranges::find_if(known, [&](const Format& f) { return name.ends_with(f.extension); });
@@ -52,7 +59,7 @@ Scene read_as(const std::string& path, std::span<const Format> known) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
     throw InputError(Place{path}, "there is no such file", "check the name");
-  Scene scene = format->read(path);
+  Scene scene = format->read(path, options);
   const auto models = model_formats();
   if (&*format >= models.data() && &*format < models.data() + models.size())
     for (Mesh& mesh : scene.meshes) mesh.file = path;
@@ -62,7 +69,7 @@ Scene read_as(const std::string& path, std::span<const Format> known) {
 }  // namespace
 
 Scene load_scene(const std::string& path, const LoadOptions& options) {
-  Scene scene = read_as(path, formats);
+  Scene scene = read_as(path, formats, options);
   // Only scene files of our own and what is baked of them say what ambient light there is.
   scene.ambient_is_automatic =
       !lower_case_name(path).ends_with(".json") && !scene.stores_visibility;
@@ -71,6 +78,8 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
   return scene;
 }
 
-Scene read_model(const std::string& path) { return read_as(path, model_formats()); }
+Scene read_model(const std::string& path, const LoadOptions& options) {
+  return read_as(path, model_formats(), options);
+}
 
 }  // namespace penumbra

@@ -24,7 +24,8 @@ struct Material {
   Vec3 emission{0, 0, 0};              ///< radiance
   TextureSlot diffuse_map;             ///< sRGB; multiplies diffuse
   TextureSlot metallic_roughness_map;  ///< linear; green · roughness, blue · metallic
-  TextureSlot emission_map;            ///< sRGB; multiplies emission; lights nothing by itself
+  TextureSlot emission_map;            ///< sRGB; multiplies emission
+  bool emission_map_lights = false;    ///< with an emission map its surface is a light too
   float metallic = 0;  ///< glTF: diffuse and specular are mixed from base colour by this
   bool is_metallic_roughness = false;  ///< glTF: diffuse is the base colour, see metallic
   bool double_sided = true;            ///< seen and shaded from both sides
@@ -134,11 +135,12 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  Vec3 ambient{0.05f, 0.05f, 0.05f};  ///< radiance from everywhere, unoccluded
-  bool ambient_is_automatic = false;  ///< the file says nothing of it: renderers follow the light
-  Vec3 background{0, 0, 0};           ///< radiance where a ray meets nothing
-  std::optional<float> exposure_ev;   ///< that the file asks to be shown with; none = by renderers
-  bool stores_visibility = false;     ///< glTF: the file holds what is seen of its lights, baked
+  Vec3 ambient{0.05f, 0.05f, 0.05f};   ///< radiance from everywhere, unoccluded
+  bool ambient_is_automatic = false;   ///< the file says nothing of it: renderers follow the light
+  Vec3 background{0, 0, 0};            ///< radiance where a ray meets nothing
+  std::vector<double> keyframe_times;  ///< of all that moves, seconds, ascending; empty: nothing
+  std::optional<float> exposure_ev;    ///< that the file asks to be shown with; none = by renderers
+  bool stores_visibility = false;      ///< glTF: the file holds what is seen of its lights, baked
   LoadReport report;
 };
 

@@ -67,7 +67,9 @@ constexpr std::string_view before_sdf = R"json({
         "position": {"$ref": "#/$defs/point"},
         "look_at": {"$ref": "#/$defs/point"},
         "up": {"$ref": "#/$defs/nonzero_vector", "default": [0, 1, 0]},
-        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40}
+        "vertical_fov_deg": {"type": "number", "minimum": 0.001, "maximum": 179.999, "default": 40},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"}
       }
     },
 
@@ -80,7 +82,8 @@ constexpr std::string_view before_sdf = R"json({
         "roughness": {"$ref": "#/$defs/unit_interval", "default": 0.5},
         "mirror": {"anyOf": [{"$ref": "#/$defs/unit_interval"}, {"$ref": "#/$defs/albedo"}], "default": 0},
         "emission": {"$ref": "#/$defs/light_colour", "default": [0, 0, 0]},
-        "texture": {"$ref": "#/$defs/file"}
+        "texture": {"$ref": "#/$defs/file"},
+        "emission_texture": {"$ref": "#/$defs/file", "description": "Multiplies the emission; sampled where it is bright."}
       }
     },
 
@@ -98,6 +101,20 @@ constexpr std::string_view before_sdf = R"json({
         {"$ref": "#/$defs/glsl_object"}
       ]
     },
+    "keyframes": {
+      "description": "Values of keys of the thing at moments, in the order of time; they move between.",
+      "type": "array",
+      "items": {
+        "type": "object",
+        "required": ["time"],
+        "properties": {"time": {"type": "number", "minimum": -1e9, "maximum": 1e9, "description": "Seconds."}}
+      },
+      "minItems": 1
+    },
+    "interpolation": {
+      "description": "Between keyframes: straight, or with eased ends.",
+      "enum": ["linear", "smooth"], "default": "linear"
+    },
     "receives": {
       "description": "Whether bake gives it textures of light and shadow.",
       "type": "boolean", "default": true
@@ -112,6 +129,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "quad"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "corner": {"$ref": "#/$defs/point"},
@@ -126,6 +145,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "center": {"$ref": "#/$defs/point"},
@@ -139,6 +160,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "box"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "min": {"$ref": "#/$defs/point"},
@@ -152,6 +175,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "polygon"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
@@ -164,6 +189,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "mesh"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"},
@@ -177,6 +204,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "sdf"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "root": {"$ref": "#/$defs/sdf_node"},
@@ -189,6 +218,8 @@ constexpr std::string_view before_sdf = R"json({
       "properties": {
         "type": {"const": "glsl"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
         "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"}
@@ -236,6 +267,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sphere"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "radiance": {"$ref": "#/$defs/light_colour"}
@@ -247,6 +280,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "disk"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "normal": {"$ref": "#/$defs/nonzero_vector", "description": "The side that emits."},
         "radius": {"$ref": "#/$defs/positive"},
@@ -260,10 +295,13 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "rect"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
-        "radiance": {"$ref": "#/$defs/light_colour"}
+        "radiance": {"$ref": "#/$defs/light_colour"},
+        "texture": {"$ref": "#/$defs/file", "description": "Multiplies the radiance: a window that is seen and stands in the way of other lights."}
       }
     },
     "segment_light": {
@@ -272,6 +310,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "segment"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "from": {"$ref": "#/$defs/point"},
         "to": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
@@ -284,6 +324,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "point"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "position": {"$ref": "#/$defs/point"},
         "intensity": {"$ref": "#/$defs/light_colour"}
       }
@@ -294,6 +336,8 @@ constexpr std::string_view after_sdf = R"json(
       "properties": {
         "type": {"const": "sun"},
         "name": {"$ref": "#/$defs/text"},
+        "keyframes": {"$ref": "#/$defs/keyframes"},
+        "interpolation": {"$ref": "#/$defs/interpolation"},
         "direction": {"$ref": "#/$defs/nonzero_vector", "description": "The way the light travels."},
         "angular_diameter_deg": {"type": "number", "minimum": 0, "maximum": 179.999, "default": 0.53},
         "irradiance": {"$ref": "#/$defs/light_colour"}

@@ -44,6 +44,8 @@ class Definition {
     const char* kind = signature.kind == SdfKind::shape ? "shape" : "op";
     require(kind, fmt::format(R"({{"const": "{}"}})", signature.name));
     add("material", R"({"$ref": "#/$defs/text"})");
+    add("keyframes", R"({"$ref": "#/$defs/keyframes"})");
+    add("interpolation", R"({"$ref": "#/$defs/interpolation"})");
     for (const SdfParameter& p : signature.parameters) add_parameter(p);
     if (signature.has_profile) require("profile", R"({"$ref": "#/$defs/sdf_profile"})");
     if (signature.most_children > 0) add_children();

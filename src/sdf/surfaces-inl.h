@@ -12,9 +12,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace penumbra::sdf::HWY_NAMESPACE {
 
-/// Where f grows, by differences over e (Quilez, "normals for an SDF": four points of a
-/// tetrahedron); unit.
-HWY_INLINE P normal_at(Sampler& sampler, const FieldData& field, const P& p, const F& e) {
+/// The mean of differences over 1 from which a surface counts as bent, and over what part of the
+/// way they are then taken.
+constexpr float bend_of_differences = 0.02f, closer_differences = 1.0f / 16;
+
+/// The sums of four differences over e (Quilez, "normals for an SDF": the corners of a
+/// tetrahedron), and their mean, which is f(p) where f is flat.
+struct Differences {
+  P sums;
+  F mean;
+};
+
+HWY_INLINE Differences differences_at(Sampler& sampler, const FieldData& field, const P& p,
+                                      const F& e) {
   constexpr float signs[4][3] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
   F d[4], most = 1e30f;
   for (int k = 0; k < 4; ++k) {
@@ -22,12 +32,32 @@ HWY_INLINE P normal_at(Sampler& sampler, const FieldData& field, const P& p, con
     d[k] = sampler.distance(q, all_lanes, most);
     most = most_after(field, d[k], e * 2.83f, q);
   }
-  const F x = (d[0] - d[1]) + (d[3] - d[2]), y = (d[2] - d[0]) + (d[3] - d[1]),
-          z = (d[1] - d[0]) + (d[3] - d[2]);
-  const F size = length(x, y, z);
+  return {
+      {(d[0] - d[1]) + (d[3] - d[2]), (d[2] - d[0]) + (d[3] - d[1]), (d[1] - d[0]) + (d[3] - d[2])},
+      ((d[0] + d[1]) + (d[2] + d[3])) * 0.25f};
+}
+
+HWY_INLINE P unit(const P& s) {
+  const F size = length(s.x, s.y, s.z);
   const M known = size > F(0.0f);
-  return {select(known, x / size, 0.0f), select(known, y / size, 1.0f),
-          select(known, z / size, 0.0f)};
+  return {select(known, s.x / size, 0.0f), select(known, s.y / size, 1.0f),
+          select(known, s.z / size, 0.0f)};
+}
+
+/// Where f grows, by differences over e; unit.
+HWY_INLINE P normal_at(Sampler& sampler, const FieldData& field, const P& p, const F& e) {
+  return unit(differences_at(sampler, field, p, e).sums);
+}
+
+/// The same at points of the surface: where the differences tell of a bend, as beside an edge,
+/// closer ones.
+HWY_INLINE P surface_normal_at(Sampler& sampler, const FieldData& field, const P& p, const F& e) {
+  const Differences d = differences_at(sampler, field, p, e);
+  const M bent = abs(d.mean) > e * bend_of_differences;
+  if (HWY_LIKELY(!any(bent))) return unit(d.sums);
+  const P closer = differences_at(sampler, field, p, e * closer_differences).sums;
+  return unit({select(bent, closer.x, d.sums.x), select(bent, closer.y, d.sums.y),
+               select(bent, closer.z, d.sums.z)});
 }
 
 HWY_INLINE F greatest(const P& p) { return max(abs(p.x), max(abs(p.y), abs(p.z))); }
@@ -50,7 +80,7 @@ class SurfaceLanes {
     d_ = {load(a_[3]), load(a_[4]), load(a_[5])};
   }
   void find_normals(Sampler& sampler, const FieldData& field) {
-    n = normal_at(sampler, field, p, normal_step(p));
+    n = surface_normal_at(sampler, field, p, normal_step(p));
     const std::uint32_t away = ~bits(dot(n, d_) < F(0.0f)) & all_lanes;
     if (HWY_LIKELY(away == 0)) return;
     const P before = along(p, d_, normal_step(p) * -4.0f);

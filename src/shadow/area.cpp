@@ -53,7 +53,8 @@ Visibility Shadows::sampled(const Receiver& receiver, std::size_t light, std::ui
   const auto packets = static_cast<std::size_t>(count + LightPacket::size - 1) / LightPacket::size;
   scratch.visible.resize(packets);
   if (points) scratch.targets.resize(packets), points->resize(static_cast<std::size_t>(count));
-  const LightRays rays(world_, lights_, receiver, light, samples_.pattern(hash(stream, light)),
+  const LightRays rays(world_, lights_, receiver, light,
+                       samples_.pattern(hash(stream, lights_.pattern_of(light))),
                        guard == LightGuard::unoccluded);
   const int visible =
       rays.trace(rays.table_x(), rays.table_y(), count, points ? scratch.targets.data() : nullptr,

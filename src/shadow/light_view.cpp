@@ -53,6 +53,13 @@ LightViews::LightViews(const Scene& scene) : scene_(scene), meshes_(scene.lights
     if (scene.lights[i].type == LightType::mesh) meshes_[i] = MeshLight(scene, scene.lights[i]);
 }
 
+std::size_t LightViews::pattern_of(std::size_t i) const {
+  if (!meshes_[i].is_textured) return i;
+  const int first =
+      scene_.instances[static_cast<std::size_t>(scene_.lights[i].instance)].mesh_light;
+  return first < 0 ? i : static_cast<std::size_t>(first);
+}
+
 std::optional<LightView> LightViews::view(std::size_t index, const Vec3& point) const {
   const Light& light = scene_.lights[index];
   LightView view;

@@ -34,6 +34,9 @@ class LightViews {
   const Scene& scene() const { return scene_; }
   const Light& light(std::size_t i) const { return scene_.lights[i]; }
   const MeshLight& mesh_light(std::size_t i) const { return meshes_[i]; }
+  /// By which points on the light are chosen: the same for the colours of one texture, so that
+  /// these cast no coloured noise.
+  std::size_t pattern_of(std::size_t i) const;
 
   /// The view of a light from a point: centre, A and D as in Parker's formulas, with D = 2R for
   /// sphere and disk, 2 √(area/π) for rect and mesh, 2 √(2 r L / π) for a segment, 0 for a point.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "shadow/textured_faces.h"
+
 namespace penumbra {
 namespace {
 
@@ -46,19 +48,12 @@ Vec3 center_of(const LightFace& f) { return (f.a + f.b + f.c) / 3; }
 MeshLight::MeshLight(const Scene& scene, const Light& light) {
   const Instance& instance = scene.instances[static_cast<std::size_t>(light.instance)];
   const Mesh& mesh = scene.meshes[instance.mesh];
-  const float side = instance.world_from_mesh.determinant() < 0 ? -1.0f : 1.0f;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto corner = [&](std::size_t i) {
-      return instance.world_from_mesh.point(mesh.positions[mesh.indices[3 * t + i]]);
-    };
-    LightFace face{corner(0), corner(1), corner(2), {}, 0};
-    const Vec3 n = cross(face.b - face.a, face.c - face.a);
-    const float len = length(n);
-    if (!(len > 0)) continue;
-    face.normal = n * (side / len);
-    face.area = len / 2;
-    faces.push_back(face);
-  }
+  is_textured = instance.material < scene.materials.size() &&
+                scene.materials[instance.material].emission_map.used();
+  if (is_textured)
+    faces = textured_faces(scene, light);
+  else
+    add_faces(mesh, instance.world_from_mesh);
   if (!faces.empty()) {
     build(0, static_cast<std::uint32_t>(faces.size()));
     const Sum& all = nodes_.front().sum;
@@ -71,6 +66,22 @@ MeshLight::MeshLight(const Scene& scene, const Light& light) {
   for (const LightFace& f : faces) areas.push_back(static_cast<float>(sum += double(f.area)));
   flat = is_flat(faces);
   closed = is_closed(mesh);
+}
+
+void MeshLight::add_faces(const Mesh& mesh, const Affine& world_from_mesh) {
+  const float side = world_from_mesh.determinant() < 0 ? -1.0f : 1.0f;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto corner = [&](std::size_t i) {
+      return world_from_mesh.point(mesh.positions[mesh.indices[3 * t + i]]);
+    };
+    LightFace face{corner(0), corner(1), corner(2), {}};
+    const Vec3 n = cross(face.b - face.a, face.c - face.a);
+    const float len = length(n);
+    if (!(len > 0)) continue;
+    face.normal = n * (side / len);
+    face.area = len / 2;
+    faces.push_back(face);
+  }
 }
 
 void MeshLight::build(std::uint32_t first, std::uint32_t last) {

@@ -11,8 +11,9 @@ namespace penumbra {
 /// One face of a mesh light, world frame.
 struct LightFace {
   Vec3 a, b, c;
-  Vec3 normal;  ///< unit, by the winding
-  float area = 0;
+  Vec3 normal;           ///< unit, by the winding
+  float area = 0;        ///< m², times the brightness
+  float brightness = 1;  ///< of the light's emission, (0, 1]; below 1 of textures alone
 };
 
 /// Faces are kept in the order of a tree whose nodes know the ball and the cone of normals of
@@ -21,6 +22,7 @@ struct LightFace {
 struct MeshLight {
   std::vector<LightFace> faces;
   std::vector<float> areas;  ///< of the faces up to and with each
+  bool is_textured = false;  ///< the faces are parts of the mesh's (textured_faces.h)
   bool flat = false;         ///< all faces in one plane, to floating-point error
   Vec3 center;               ///< of the area
   float radius = 0;          ///< of the ball round the center that holds all of it
@@ -62,6 +64,7 @@ struct MeshLight {
   };
   class Search;
 
+  void add_faces(const Mesh& mesh, const Affine& world_from_mesh);
   void build(std::uint32_t first, std::uint32_t last);
   void bound(Node& node) const;
 

@@ -136,13 +136,75 @@ TEST_F(BakeCommandTest, TheKhronosValidatorFindsNoError) {
     GTEST_SKIP() << "gltf-validator is not there; run scripts/get-viewer";
   ASSERT_EQ(bake({"--texel-size", "0.1", "-q"}, folder / "r.glb").status, 0);
   ASSERT_EQ(bake({"--texel-size", "0.1", "--lightmap", "-q"}, folder / "l.glb").status, 0);
+  std::vector<const char*> names{"r.glb", "l.glb"};
+  // Normal, occlusion and emission maps.
+  const std::string helmet = PENUMBRA_SHARED_DIR "/models/DamagedHelmet.glb";
+  if (fs::exists(helmet)) {
+    ASSERT_EQ(penumbra({"bake", helmet, "-o", folder / "h.glb", "--lightmap", "--texel-size",
+                        "0.05", "--light-samples", "4", "-q"})
+                  .status,
+              0);
+    EXPECT_THAT(read_file(folder / "h.glb"), ::testing::HasSubstr("\"normalTexture\""));
+    names.push_back("h.glb");
+  }
   const std::string script = PENUMBRA_SOURCE_DIR "/tests/app/validate.js";
-  for (const char* name : {"r.glb", "l.glb"})
+  for (const char* name : names)
     EXPECT_EQ(
         std::system(
             ("NODE_PATH=" + npm + "/node_modules node " + script + " " + folder / name).c_str()),
         0)
         << name;
+}
+
+TEST_F(BakeCommandTest, AnExistingLayoutIsTakenOrRefusedByName) {
+  const Outcome outcome =
+      bake({"--uv", "existing", "--receivers", "floor", "-q"}, folder / "b.glb");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome refused = bake({"--uv", "existing", "-q"}, folder / "c.glb");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, ::testing::StartsWith("penumbra: --uv existing: '"));
+  EXPECT_THAT(refused.err, ::testing::HasSubstr("; lay it out without overlap in [0, 1]"));
+  expect_refused(bake({"--uv", "exist"}, folder / "c.glb"), 2,
+                 "--uv: 'exist' is unknown; did you mean existing? There are unwrap or existing");
+  expect_refused(bake({"--curved", "plan"}, folder / "c.glb"), 2,
+                 "--curved: 'plan' is unknown; did you mean plane? There are rays or plane");
+}
+
+TEST_F(BakeCommandTest, CurvedSurfacesMayBeShadowedOnAPlane) {
+  ASSERT_EQ(bake({"--texel-size", "0.05", "-q"}, folder / "r.glb").status, 0);
+  ASSERT_EQ(bake({"--texel-size", "0.05", "--curved", "plane", "-q"}, folder / "p.glb").status, 0);
+  EXPECT_NE(read_file(folder / "r.glb"), read_file(folder / "p.glb"));
+  ASSERT_EQ(render(folder / "r.glb", folder / "r.png", "none").status, 0);
+  ASSERT_EQ(render(folder / "p.glb", folder / "p.png", "none").status, 0);
+  EXPECT_LT(differing(read_png(folder / "r.png"), read_png(folder / "p.png")), 0.05);
+}
+
+TEST_F(BakeCommandTest, AStainedGlassWindowLooksAsByAreaLight) {
+  const std::string window = PENUMBRA_SOURCE_DIR "/scenes/window.json";
+  const auto picture = [&](const std::string& file, const std::string& out,
+                           const std::vector<std::string>& options) {
+    std::vector<std::string> words{"render",  file, "-o",         folder / out, "--size",
+                                   "160x120", "-q", "--exposure", "-1.5"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = penumbra(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read_png(folder / out);
+  };
+  const Image area =
+      picture(window, "area.png", {"--shadows", "area", "--light-samples", "256", "--spp", "1"});
+  const Outcome baked = penumbra({"bake", window, "-o", folder / "w.glb", "--light-samples", "256",
+                                  "--texel-size", "0.02", "--exposure", "-1.5", "-q"});
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  const Image shown = picture(folder / "w.glb", "baked.png", {"--shadows", "none", "--spp", "1"});
+  EXPECT_LT(differing(area, shown), 0.05);
+  // It is colours that fall on the floor: pixels of saturated red and of blue.
+  std::size_t red = 0, blue = 0;
+  for (std::size_t i = 0; i < shown.data.size(); i += 4) {
+    red += shown.data[i] > 0.1f && shown.data[i] > 1.5f * shown.data[i + 2];
+    blue += shown.data[i + 2] > 0.1f && shown.data[i + 2] > 1.5f * shown.data[i];
+  }
+  EXPECT_GT(red, 200u);
+  EXPECT_GT(blue, 20u);
 }
 
 TEST_F(BakeCommandTest, ThePreviewHasAllThatItNeeds) {

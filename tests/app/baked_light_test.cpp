@@ -136,6 +136,34 @@ TEST_F(BakedLightTest, ProbesAnswerAsTheReference) {
   }
 }
 
+TEST_F(BakedLightTest, OpenGlProbesTheSame) {
+  use(lights[0].second);
+  std::string points = "x,y,z,nx,ny,nz\n";
+  for (int i = 0; i < 100; ++i)
+    points += std::to_string(-1.93 + 0.4 * (i % 10)) + ",0," +
+              std::to_string(-1.93 + 0.4 * (i / 10)) + ",0,1,0\n";
+  write_file(folder / "points.csv", points);
+  const auto probe = [&](const char* device) {
+    return penumbra({"probe", scene, "--points", folder / "points.csv", "--quiet", "--shadows",
+                     "heckbert-herf", "--light-samples", "64", "--device", device});
+  };
+  const Outcome gl = probe("gl"), cpu = probe("cpu");
+  if (gl.status == 1) GTEST_SKIP() << gl.err;
+  ASSERT_EQ(gl.status, 0) << gl.err;
+  std::istringstream a(gl.out), b(cpu.out);
+  std::string line, other;
+  std::size_t differ = 0, penumbra = 0, count = 0;
+  std::getline(a, line), std::getline(b, other);
+  while (std::getline(a, line) && std::getline(b, other)) {
+    const double x = std::stod(line.substr(line.rfind(',') + 1));
+    const double y = std::stod(other.substr(other.rfind(',') + 1));
+    ++count, differ += std::abs(x - y) > 0.02, penumbra += y > 0 && y < 1;
+  }
+  EXPECT_EQ(count, 100u);
+  EXPECT_GT(penumbra, 5u);
+  EXPECT_LE(differ, 2u);
+}
+
 TEST_F(BakedLightTest, TheSameBytesAtAnyNumberOfThreads) {
   use(lights[0].second);
   const std::vector<std::string> coarse{"--shadows", "heckbert-herf", "--texel-size", "0.05"};

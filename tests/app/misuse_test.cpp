@@ -154,12 +154,12 @@ INSTANTIATE_TEST_SUITE_P(
 class Misuses : public SceneTest {};
 
 TEST_F(Misuses, Commands) {
-  expect_refused(
-      penumbra({}), 2,
-      "no command is given; use render, probe, info, new, export or bake; see penumbra --help");
+  expect_refused(penumbra({}), 2,
+                 "no command is given; use render, probe, info, new, export, bake or diff; see "
+                 "penumbra --help");
   expect_refused(penumbra({"rendr", scene}), 2,
                  "'rendr' is no command; did you mean render? There are render, probe, info, new, "
-                 "export or bake");
+                 "export, bake or diff");
   expect_refused(penumbra({"--quiet"}), 2,
                  "--quiet is no option here; begin with a command, as in penumbra render SCENE -o "
                  "OUT.png");

@@ -14,13 +14,15 @@ const std::map<std::string, std::set<std::string>>& arrows() {
       {"base", {}},
       {"gl", {"base"}},
       {"image", {"base"}},
+      {"compare", {"base", "image"}},
       {"scene", {"base", "image"}},
       {"sdf", {"base", "scene", "image"}},
       {"geometry", {"base", "image", "scene", "sdf"}},
       {"shadow", {"base", "image", "scene", "sdf", "geometry"}},
       {"render", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow"}},
       {"bake", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render"}},
-      {"apps", {"base", "gl", "image", "scene", "sdf", "geometry", "shadow", "render", "bake"}},
+      {"apps",
+       {"base", "gl", "image", "compare", "scene", "sdf", "geometry", "shadow", "render", "bake"}},
   };
   return rooms;
 }

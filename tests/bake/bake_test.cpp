@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bake/bake_scenes.h"
+#include "bake/glb_lights.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -40,8 +41,9 @@ class BakeTest : public ::testing::Test {
     const FieldIrradiance irradiance(wavy);
     const Plan plan = make_plan(scene_, textures_);
     Progress silent;
-    return bake({scene_, irradiance, lights, materials, Vec3(), exposure_}, plan, textures_, output,
-                sink, silent);
+    BakeInput input{scene_, irradiance, lights, materials, Vec3(), exposure_};
+    if (!source_.materials.empty()) input.source = &source_;
+    return bake(input, plan, textures_, output, sink, silent);
   }
 
   /// Written and read again by the reader of glTF files.
@@ -62,6 +64,7 @@ class BakeTest : public ::testing::Test {
   test::TemporaryFolder folder_;
   Scene scene_;
   TextureOptions textures_;
+  GltfMaterials source_;
   float exposure_ = -1.5f;
 };
 
@@ -159,6 +162,92 @@ TEST_F(BakeTest, ALightmapKeepsMaterialsAndSaysWhatItHolds) {
   const Scene back = read_back(baked);
   EXPECT_EQ(back.lights.size(), 1u);
   for (const Mesh& mesh : back.meshes) EXPECT_EQ(mesh.uv[1].size(), mesh.positions.size());
+}
+
+TEST_F(BakeTest, ALightmapLeavesAFilesMaterialsUntouched) {
+  source_.materials = {
+      R"({"name":"stone","normalTexture":{"index":1,"scale":0.5,"texCoord":1},)"
+      R"("occlusionTexture":{"index":0,"strength":0.25},"doubleSided":true,"extras":{"a":1},)"
+      R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"
+      R"({"KHR_texture_transform":{"scale":[2,3],"texCoord":1}}},"metallicFactor":0.125},)"
+      R"("extensions":{"KHR_materials_clearcoat":{"clearcoatFactor":1,)"
+      R"("clearcoatTexture":{"index":2}},"KHR_materials_sheen":{)"
+      R"("sheenColorTexture":{"index":0,"texCoord":2}}}})"};
+  source_.textures = {R"({"source":1,"sampler":0})", R"({"source":0})",
+                      R"({"source":0,"sampler":1})"};
+  source_.samplers = {R"({"magFilter":9728})", R"({"wrapS":33648})"};
+  source_.images = {{"bumps", "image/jpeg", "jpeg bytes"}, {"colours", "image/png", "png bytes"}};
+  const Baked baked = bake_scene(Output::lightmap);
+  const GlbModel& model = baked.model;
+  const Json::Value* stone = nullptr;
+  for (const Json::Value& material : model.materials)
+    if (material["name"] == "stone") stone = &material;
+  ASSERT_TRUE(stone);
+  const Json::Value& m = *stone;
+  EXPECT_EQ(m["normalTexture"]["scale"].asDouble(), 0.5);
+  EXPECT_EQ(m["normalTexture"]["texCoord"].asInt(), 2) << "the lightmap has taken TEXCOORD_1";
+  EXPECT_EQ(m["occlusionTexture"]["strength"].asDouble(), 0.25);
+  EXPECT_FALSE(m["occlusionTexture"].isMember("texCoord"));
+  const Json::Value& base = m["pbrMetallicRoughness"]["baseColorTexture"];
+  const Json::Value& transform = base["extensions"]["KHR_texture_transform"];
+  EXPECT_EQ(transform["scale"][1].asInt(), 3);
+  EXPECT_EQ(transform["texCoord"].asInt(), 2);
+  EXPECT_EQ(m["pbrMetallicRoughness"]["metallicFactor"].asDouble(), 0.125);
+  EXPECT_EQ(m["extras"]["a"].asInt(), 1);
+  EXPECT_FALSE(m["extensions"]["KHR_materials_sheen"].isMember("sheenColorTexture"));
+  EXPECT_EQ(m["extensions"]["MOZ_lightmap"]["texCoord"].asInt(), 1);
+  const auto texture = [&](const Json::Value& use) {
+    return model.textures[use["index"].asUInt()];
+  };
+  const auto image = [&](const Json::Value& use) -> const GlbImage& {
+    return model.images[texture(use)["source"].asUInt()];
+  };
+  const auto sampler = [&](const Json::Value& use) {
+    return model.samplers[texture(use)["sampler"].asUInt() - 2];
+  };
+  EXPECT_EQ(image(m["normalTexture"]).bytes, "jpeg bytes");
+  EXPECT_EQ(image(m["normalTexture"]).mime_type, "image/jpeg");
+  EXPECT_FALSE(texture(m["normalTexture"]).isMember("sampler"));
+  EXPECT_EQ(image(base).name, "colours");
+  EXPECT_EQ(sampler(base)["magFilter"].asInt(), 9728);
+  EXPECT_EQ(base["index"], m["occlusionTexture"]["index"]);
+  const Json::Value& coat = m["extensions"]["KHR_materials_clearcoat"]["clearcoatTexture"];
+  EXPECT_EQ(sampler(coat)["wrapS"].asInt(), 33648);
+  const std::string glb = glb_bytes(model);
+  for (const char* used : {"KHR_texture_transform", "KHR_materials_clearcoat", "MOZ_lightmap"})
+    EXPECT_THAT(glb, ::testing::HasSubstr(std::string(R"(")") + used + R"(")"));
+}
+
+TEST_F(BakeTest, ALightmapSaysWhatItsLightsWere) {
+  Light segment;
+  segment.type = LightType::segment;
+  segment.name = "tube";
+  segment.position = {1, 2, 3};
+  segment.edge_u = {2, 0, 0};
+  segment.radius = 0.25f;
+  segment.emission = {4, 5, 6};
+  Light point;
+  point.emission = {7, 7, 7};
+  scene_.lights = {segment, point};
+  Json::Value root;
+  std::set<std::string> extensions;
+  add_lights(bake_scene(Output::lightmap).model.lights, true, root, extensions);
+  ASSERT_EQ(root["nodes"].size(), 2u);
+  const Json::Value& tube = root["nodes"][0];
+  EXPECT_EQ(tube["name"], "tube");
+  EXPECT_FALSE(tube.isMember("extensions"));
+  EXPECT_TRUE(tube["extras"]["baked"].asBool());
+  EXPECT_EQ(tube["extras"]["light"]["type"], "segment");
+  EXPECT_EQ(tube["extras"]["light"]["from"][0].asDouble(), 0);
+  EXPECT_EQ(tube["extras"]["light"]["to"][0].asDouble(), 2);
+  EXPECT_EQ(tube["extras"]["light"]["radius"].asDouble(), 0.25);
+  EXPECT_EQ(tube["extras"]["light"]["radiance"][2].asDouble(), 6);
+  const Json::Value& lamp = root["nodes"][1];
+  EXPECT_TRUE(lamp["extras"]["baked"].asBool());
+  EXPECT_EQ(lamp["extras"]["light"]["type"], "point");
+  const Json::Value& listed = root["extensions"]["KHR_lights_punctual"]["lights"];
+  ASSERT_EQ(listed.size(), 1u);
+  EXPECT_TRUE(listed[0]["extras"]["baked"].asBool());
 }
 
 TEST_F(BakeTest, IsTheSameAtAnyNumberOfThreads) {

@@ -87,6 +87,15 @@ TEST_P(ConformanceUnder, OfTrianglesThatCrossAllPlanes) {
   }
 }
 
+TEST_P(ConformanceUnder, OnALayoutThatIsMirrored) {
+  Scene scene = triangles_across_all_planes(5);
+  scene.lights.push_back(light_of(GetParam()));
+  PlanarChart chart = chart_of_quad(scene, 0, 97, 70);
+  chart.base += chart.edge_y;
+  chart.edge_y = -chart.edge_y;
+  run(scene, chart, 9, 300);
+}
+
 TEST_P(ConformanceUnder, OfWallsThatStandOnTheReceiver) {
   Scene scene = walls_on_the_receiver();
   scene.lights.push_back(light_of(GetParam()));

@@ -110,6 +110,14 @@ TEST_F(GlConformance, OfTrianglesThatCrossAllPlanes) {
   }
 }
 
+TEST_F(GlConformance, OnALayoutThatIsMirrored) {
+  const Scene scene = under_all_lights(triangles_across_all_planes(5));
+  PlanarChart chart = chart_of_quad(scene, 0, 97, 70);
+  chart.base += chart.edge_y;
+  chart.edge_y = -chart.edge_y;
+  run(scene, chart, 9);
+}
+
 TEST_F(GlConformance, OfWallsThatStandOnTheReceiver) {
   const Scene scene = under_all_lights(walls_on_the_receiver());
   run(scene, chart_of_quad(scene, 0, 130, 65), 9);

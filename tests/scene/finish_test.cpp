@@ -272,6 +272,33 @@ TEST(Finish, EmissionByTextureIsNoLight) {
   EXPECT_EQ(scene.instances[0].mesh_light, -1);
 }
 
+TEST(Finish, AnEmissionTextureThatLightsIsALightForEachOfItsColours) {
+  Scene scene = scene_of({triangle()});
+  Material& material = scene.materials[0];
+  material.emission = {2, 3, 4};
+  material.emission_map.image = 0;
+  material.emission_map_lights = true;
+  scene.textures.push_back({"glass", 2, 1, {255, 0, 0, 255, 9, 0, 90, 255}});
+  Scene grey = scene, dark = scene;
+  finish_scene(scene, "a.gltf");
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[0].emission, (Vec3{2, 0, 0}));
+  EXPECT_EQ(scene.lights[1].emission, (Vec3{0, 0, 4}));
+  EXPECT_THAT(scene.lights[0].name, ::testing::EndsWith(" (red)"));
+  EXPECT_THAT(scene.lights[1].name, ::testing::EndsWith(" (blue)"));
+  EXPECT_EQ(scene.instances[0].mesh_light, 0);
+
+  grey.textures[0].rgba = {200, 200, 200, 255, 0, 0, 0, 255};
+  finish_scene(grey, "a.gltf");
+  ASSERT_EQ(grey.lights.size(), 1u);
+  EXPECT_EQ(grey.lights[0].emission, (Vec3{2, 3, 4}));
+
+  dark.textures[0].rgba = {0, 0, 0, 255, 0, 0, 0, 255};
+  finish_scene(dark, "a.gltf");
+  EXPECT_TRUE(dark.lights.empty());
+  EXPECT_EQ(dark.instances[0].mesh_light, -1);
+}
+
 TEST(Finish, InstancedEmissiveMeshIsUnshared) {
   Scene scene = scene_of({triangle()});
   scene.materials[0].emission = {1, 1, 1};

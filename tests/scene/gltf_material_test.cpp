@@ -4,6 +4,7 @@
 #include "scene/gltf/mirror.h"
 #include "scene/gltf/uri.h"
 #include "scene/gltf_file.h"
+#include "scene/gltf_materials.h"
 #include "scene/load.h"
 #include "support/temporary_folder.h"
 
@@ -148,6 +149,44 @@ TEST(GltfTexture, DecodesImagesInTheBinaryChunk) {
            "a.glb");
   EXPECT_THAT(scene.textures.at(0).rgba, ElementsAre(255, 0, 0, 255));
   EXPECT_EQ(scene.materials.at(0).emission_map.image, 0);
+}
+
+TEST(GltfTexture, OfEmissionLightsWhereAStrengthIsGiven) {
+  for (const bool strong : {false, true}) {
+    test::GltfFile file;
+    file.positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const int view = file.view(red_pixel());
+    const char* strength =
+        R"("extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":4}},)";
+    const Scene scene =
+        read(file.binary(test::one_node(R"({"attributes":{"POSITION":0},"material":0})") +
+                         fmt::format(R"(,"materials":[{{{}"emissiveFactor":[1,1,1],)"
+                                     R"("emissiveTexture":{{"index":0}}}}],)"
+                                     R"("textures":[{{"source":0}}],)"
+                                     R"("images":[{{"bufferView":{},"mimeType":"image/bmp"}}])",
+                                     strong ? strength : "", view)),
+             "a.glb");
+    EXPECT_EQ(scene.materials.at(0).emission_map_lights, strong);
+  }
+}
+
+TEST(GltfMaterials, AreGivenAsTheFileHasThem) {
+  const test::TemporaryFolder folder;
+  test::write(folder / "a.bmp", red_pixel());
+  test::write(
+      folder / "a.gltf",
+      R"({"asset":{"version":"2.0"},"materials":[{"name":"m","normalTexture":{"index":0,)"
+      R"("scale":0.5}}],"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],)"
+      R"("images":[{"uri":"a.bmp","name":"i","mimeType":"image/bmp"},{"uri":"no.png"}]})");
+  const GltfMaterials found = read_gltf_materials(folder / "a.gltf");
+  ASSERT_EQ(found.materials.size(), 1u);
+  EXPECT_THAT(found.materials[0], ::testing::HasSubstr(R"("scale":0.5)"));
+  EXPECT_THAT(found.textures, ElementsAre(R"({"sampler":0,"source":0})"));
+  EXPECT_THAT(found.samplers, ElementsAre(R"({"wrapS":33071})"));
+  ASSERT_EQ(found.images.size(), 2u);
+  EXPECT_EQ(found.images[0].bytes, red_pixel());
+  EXPECT_EQ(found.images[0].mime_type, "image/bmp");
+  EXPECT_TRUE(found.images[1].bytes.empty());
 }
 
 TEST(GltfTexture, ReadsFilesBesideTheDocument) {

@@ -110,7 +110,7 @@ TEST(JsonMisuse, Cameras) {
           {R"({"position": [0, 0, 1], "look_at": [0, 0, 0], "vertical_fov_deg": 180})",
            R"(2:67: "vertical_fov_deg" is 180; give degrees above 0 and below 180 (0.001 to 179.999))"},
           {R"({"position": [0, 0, 1], "look_at": [0, 0, 0], "vertical_fov": 40})",
-           R"(2:47: unknown key "vertical_fov" in a camera; did you mean "vertical_fov_deg"? (known: position, look_at, up, vertical_fov_deg))"},
+           R"(2:47: unknown key "vertical_fov" in a camera; did you mean "vertical_fov_deg"? (known: position, look_at, up, vertical_fov_deg, keyframes, interpolation))"},
           {R"({"position": [0, 0, 1], "look_at": [0, 0]})",
            R"(2:36: "look_at" has 2 entries instead of 3; give [x, y, z], three numbers of size at most 1e9)"},
           {R"([0, 0, 1])", R"(2:1: a camera is an array; give an object { })"},
@@ -141,7 +141,7 @@ TEST(JsonMisuse, Materials) {
           {R"({"texture": "a\u0000b"})",
            R"(2:13: "texture" holds a control character; give plain text)"},
           {R"({"difuse": [1, 1, 1]})",
-           R"(2:2: unknown key "difuse" in a material; did you mean "diffuse"? (known: diffuse, specular, roughness, mirror, emission, texture))"},
+           R"(2:2: unknown key "difuse" in a material; did you mean "diffuse"? (known: diffuse, specular, roughness, mirror, emission, texture, emission_texture))"},
       });
 }
 
@@ -166,7 +166,7 @@ TEST(JsonMisuse, Spheres) {
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "flor"})",
            R"(2:66: unknown material "flor"; did you mean "floor"?)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "raduis": 1, "material": "floor"})",
-           R"(2:41: unknown key "raduis" in a sphere object; did you mean "radius"? (known: type, name, receives, samples_scale, center, radius, material))"},
+           R"(2:41: unknown key "raduis" in a sphere object; did you mean "radius"? (known: type, name, receives, samples_scale, keyframes, interpolation, center, radius, material))"},
           {R"({"type": "sphere", "center": [0, 0, 0], "material": "floor"})",
            R"(2:1: missing key "radius" in a sphere object; add it)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1})",
@@ -190,7 +190,7 @@ TEST(JsonMisuse, Spheres) {
           {R"({"type": "sphere", "samples_scale": 0, "center": [0, 0, 0], "radius": 1, "material": "floor"})",
            R"(2:37: "samples_scale" is 0; give a number from 0.001 to 1000)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "floor", "recieves": false})",
-           R"(2:75: unknown key "recieves" in a sphere object; did you mean "receives"? (known: type, name, receives, samples_scale, center, radius, material))"},
+           R"(2:75: unknown key "recieves" in a sphere object; did you mean "receives"? (known: type, name, receives, samples_scale, keyframes, interpolation, center, radius, material))"},
       });
 }
 
@@ -266,7 +266,7 @@ TEST(JsonMisuse, Lights) {
           {R"({"type": "sun", "direction": [0, -1, 0], "angular_diameter_deg": 180, "irradiance": [1, 1, 1]})",
            R"(2:66: "angular_diameter_deg" is 180; give degrees from 0 to below 180 (at most 179.999))"},
           {R"({"type": "sun", "direction": [0, -1, 0], "radiance": [1, 1, 1]})",
-           R"(2:42: unknown key "radiance" in a sun light; did you mean "irradiance"? (known: type, name, direction, angular_diameter_deg, irradiance))"},
+           R"(2:42: unknown key "radiance" in a sun light; did you mean "irradiance"? (known: type, name, keyframes, interpolation, direction, angular_diameter_deg, irradiance))"},
           {R"({"type": "point", "position": [0, -1, 0], "intensity": [1, 1, -1]})",
            R"(2:63: "intensity"[2] is -1; give [r, g, b], three numbers from 0 to 1e12)"},
       });

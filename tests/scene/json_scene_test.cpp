@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "json_support.h"
+#include "scene/finish.h"
 #include "scene/starter.h"
 
 namespace penumbra::test {
@@ -128,6 +129,35 @@ TEST(JsonScene, TextureIsReadOnceForTwoMaterials) {
   EXPECT_EQ(scene.materials[0].diffuse_map.image, 0);
   EXPECT_EQ(scene.materials[1].diffuse_map.image, 0);
   EXPECT_THAT(scene.report.warnings, IsEmpty());
+}
+
+TEST(JsonScene, ARectLightWithATextureIsAWindow) {
+  write_file(scratch().file("two.bmp"), bmp_file());
+  Scene scene = read_text(R"({"objects": [], "lights": [
+      {"type": "point", "position": [0, 9, 0], "intensity": [1, 1, 1]},
+      {"type": "rect", "name": "glass", "corner": [0, 1, 0], "edge_u": [2, 0, 0],
+       "edge_v": [0, 3, 0], "radiance": [5, 5, 5], "texture": "two.bmp"}]})");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  ASSERT_EQ(scene.instances.size(), 1u);
+  EXPECT_EQ(scene.objects.at(0).name, "glass");
+  EXPECT_EQ(scene.meshes.at(0).positions[0], Vec3(0, 1, 0));
+  EXPECT_EQ(scene.meshes.at(0).positions[2], Vec3(2, 4, 0));
+  const Material& m = scene.materials.at(scene.instances[0].material);
+  EXPECT_FALSE(m.double_sided);
+  finish_scene(scene, "a.json");
+  // Red and green.
+  ASSERT_EQ(scene.lights.size(), 3u);
+  EXPECT_EQ(scene.lights[1].emission, Vec3(5, 0, 0));
+  EXPECT_EQ(scene.lights[2].emission, Vec3(0, 5, 0));
+}
+
+TEST(JsonScene, AMaterialsEmissionTextureLights) {
+  write_file(scratch().file("two.bmp"), bmp_file());
+  const Scene scene =
+      read_text(with_material(R"({"emission": [7, 7, 7], "emission_texture": "two.bmp"})"));
+  EXPECT_EQ(scene.materials.at(0).emission_map.image, 0);
+  EXPECT_TRUE(scene.materials.at(0).emission_map_lights);
+  EXPECT_FALSE(scene.materials.at(0).diffuse_map.used());
 }
 
 TEST(JsonScene, UndecodableTextureIsWhiteWithAWarning) {

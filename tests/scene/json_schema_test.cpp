@@ -144,8 +144,10 @@ TEST(JsonSchema, DefaultsAreTheReaders) {
       definition("sun_light")["properties"]["angular_diameter_deg"]["default"].asFloat() * degree);
 }
 
-// An editor refuses what the reader refuses: no object of the schema is open.
+// An editor refuses what the reader refuses: no object of the schema is open but keyframes, whose
+// keys are those of the thing that has them.
 void expect_closed(const Json::Value& value, const std::string& where) {
+  if (where == "/$defs/keyframes") return;
   if (value.isObject() && value.isMember("properties") && !value.isMember("oneOf")) {
     EXPECT_TRUE(value.isMember("additionalProperties") &&
                 value["additionalProperties"] == Json::Value(false))

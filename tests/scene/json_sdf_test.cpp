@@ -96,7 +96,7 @@ TEST(JsonSdf, WrongParameters) {
             R"(3:1: missing key "radius" in the sphere at root; add it)");
   EXPECT_EQ(
       message_of(R"({"shape": "sphere", "radius": 1, "raduis": 2})"),
-      R"(3:34: unknown key "raduis" in the sphere at root; did you mean "radius"? (known: shape, op, center, radius, material))");
+      R"(3:34: unknown key "raduis" in the sphere at root; did you mean "radius"? (known: shape, op, center, radius, material, keyframes, interpolation))");
   EXPECT_EQ(message_of(R"({"shape": "sphere", "radius": -1})"),
             R"(3:31: "radius" is -1 in the sphere at root; give a number above 0 (1e-12 to 1e9))");
   EXPECT_EQ(message_of(R"({"shape": "sphere", "radius": NaN})"),

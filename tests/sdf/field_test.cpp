@@ -5,6 +5,7 @@
 
 #include "reference.h"
 #include "sdf/field.h"
+#include "sdf/met_surface.h"
 #include "sdf_scenes.h"
 
 namespace penumbra::test {
@@ -134,6 +135,20 @@ TEST(SdfField, NormalsPointAway) {
   std::vector<Vec3> normals(points.size());
   field.normal(points, normals);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LT(length(normals[i] - points[i]), 2e-3f);
+}
+
+TEST(SdfField, NormalsBesideAnEdgeAreTheFacesOwn) {
+  const Field field(scene_of(R"({"shape": "box", "min": [-1, -1, -1], "max": [1, 1, 1]})"));
+  std::vector<sdf::MeetingPoint> met;
+  for (float way : {1.5e-4f, 3e-4f, 6e-4f, 1.2e-3f})
+    for (float x : {-0.7f, 0.1f, 0.9f})
+      met.push_back({{x, 1, 1 - way}, normalize(Vec3(0, -0.1f, -1))});
+  std::vector<Vec3> positions(met.size()), normals(met.size());
+  sdf::surfaces(field, met, {1e-7f, 1}, positions, normals);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    EXPECT_LT(length(normals[i] - Vec3(0, 1, 0)), 0.01f) << i;
+    EXPECT_LT(length(positions[i] - met[i].position), 1e-5f) << i;
+  }
 }
 
 TEST(SdfField, SmoothUnionsBlendMaterials) {

@@ -31,6 +31,7 @@ class GlBaker::Drawing {
   ~Drawing() {
     thread_.run([this] { drawer_.reset(); });
   }
+  const std::string& renderer() const { return thread_.renderer(); }
   std::vector<float> draw(const SamplePass& pass) {
     std::vector<float> sums;
     thread_.run([&] { sums = drawer_->draw(pass); });
@@ -46,6 +47,17 @@ GlBaker::GlBaker(const Occluders& occluders)
     : occluders_(occluders), drawing_(std::make_unique<Drawing>()) {}
 
 GlBaker::~GlBaker() = default;
+
+std::unique_ptr<GlBaker> GlBaker::on_graphics_processor(const Occluders& occluders) {
+  if (!gl::may_have_graphics_processor()) return nullptr;
+  try {
+    auto baker = std::make_unique<GlBaker>(occluders);
+    if (gl::is_graphics_processor(baker->drawing_->renderer())) return baker;
+  } catch (const WorkError&) {
+    // No driver for it: the other ways do the work.
+  }
+  return nullptr;
+}
 
 TexelSums GlBaker::bake(const Tile& tile, const OwnTriangles& own, const SampledLight& light,
                         BakeQuantity quantity) const {

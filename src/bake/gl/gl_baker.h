@@ -19,6 +19,9 @@ class GlBaker {
   explicit GlBaker(const Occluders& occluders);
   ~GlBaker();
 
+  /// One that draws on a graphics processor; null where there is none.
+  static std::unique_ptr<GlBaker> on_graphics_processor(const Occluders& occluders);
+
   /// Irradiance of all lights, W/m²; out has a value for each texel of the chart.
   void irradiance(const PlanarChart& chart, std::span<const SampledLight> lights,
                   std::span<Vec3> out) const;

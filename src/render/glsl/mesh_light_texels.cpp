@@ -19,7 +19,11 @@ int add_mesh_light(const MeshLight& mesh, bool double_sided, std::vector<float>&
   std::vector<float> nodes, faces, patches, fine;
   mesh.write_texels(nodes, faces);
   add_patches(mesh, glossy_points, patches);
-  if (mesh.faces.size() > few_faces) add_patches(mesh, mesh_points, fine);
+  // Brightness is in the faces' areas alone, which the closed form does not look at.
+  if (mesh.is_textured)
+    add_patches(mesh, textured_points, fine);
+  else if (mesh.faces.size() > few_faces)
+    add_patches(mesh, mesh_points, fine);
   const std::size_t nodes_at = first + header, faces_at = nodes_at + nodes.size() / 4,
                     patches_at = faces_at + faces.size() / 4,
                     fine_at = patches_at + patches.size() / 4;

@@ -53,26 +53,42 @@ float pnb_trace(vec3 ro, vec3 rd) {
   return t;
 }
 
-// Unit normal at p by differences: central ones over e; on an sdf object, whose rounding may be
-// great, by a tetrahedron, wider. A second time a little before p on the ray where that is needed:
-// on a sheet both sides look alike, and rounding makes any direction of that (the slope is below 1;
-// the steeper counts); wide differences reach round an edge, to a side that faces away.
+// Differences over e round p: central ones, or by a tetrahedron (`wide`); their mean last, which is
+// the field at p where that is flat.
+vec4 pnb_differences(vec3 p, float e, bool wide) {
+  vec4 n = vec4(0.0);
+  int count = wide ? 4 : 6;
+  for (int k = pnb_zero; k < count; ++k) {
+    int axis = k % 3;
+    vec3 d = vec3(axis == 0, axis == 1, axis == 2) * (k < 3 ? 1.0 : -1.0);
+    if (wide) d = vec3(k == 0 || k == 3, k > 1, k % 2) * 2.0 - 1.0;
+    n += vec4(d, 1.0 / float(count)) * pnb_signed(p + e * d);
+  }
+  return n;
+}
+
+// Unit normal at p by differences over e; on an sdf object, whose rounding may be great, wider ones,
+// and closer again where they tell of a bend, as beside an edge. A second time a little before p on
+// the ray where that is needed: on a sheet both sides look alike, and rounding makes any direction
+// of that (the slope is below 1; the steeper counts); differences reach round an edge, to a side
+// that faces away.
 vec3 pnb_normal(vec3 p, vec3 rd, float e) {
   bool wide = pnb_is_rounded(p);
   if (wide) e = 1e-3 * max(max(abs(p.x), max(abs(p.y), abs(p.z))), 1e-3);
   vec3 n = vec3(0.0), at_p = vec3(0.0);
-  int count = wide ? 4 : 6;
-  for (int i = pnb_zero; i < 2 * count; ++i) {
-    if (i == count) {
-      if (wide ? dot(n, rd) < 0.0 : length(n) > 1.9 * e) break;
-      p -= 4.0 * e * rd;
-      at_p = n;
-      n = vec3(0.0);
+  float reach = e;
+  for (int i = pnb_zero; i < 3; ++i) {
+    vec4 all = pnb_differences(p, reach, wide);
+    n = all.xyz;
+    if (at_p != vec3(0.0)) break;
+    if (wide && reach == e && abs(all.w - pnb_last) > 0.02 * e) {
+      reach = e / 16.0;
+      continue;
     }
-    int k = i % count, axis = k % 3;
-    vec3 d = vec3(axis == 0, axis == 1, axis == 2) * (k < 3 ? 1.0 : -1.0);
-    if (wide) d = vec3(k == 0 || k == 3, k > 1, k % 2) * 2.0 - 1.0;
-    n += d * pnb_signed(p + e * d);
+    if (wide ? dot(n, rd) < 0.0 : length(n) > 1.9 * e) break;
+    p -= 4.0 * e * rd;
+    at_p = n;
+    reach = e;
   }
   if (wide ? dot(n, rd) >= 0.0 && at_p != vec3(0.0) : length(n) < 1.1 * length(at_p)) n = at_p;
   float size = length(n);

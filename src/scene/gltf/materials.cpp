@@ -35,6 +35,7 @@ void read_emission(const tinygltf::Material& in, Textures& textures, Material& o
   for (int i = 0; i < 3; ++i)
     out.emission[i] = to_float(in.emissiveFactor[static_cast<std::size_t>(i)] * strength);
   out.emission_map = textures.slot(in.emissiveTexture);
+  out.emission_map_lights = e != nullptr;
 }
 
 /// What the file was exposed by is taken back, so that baked radiance is radiance again.

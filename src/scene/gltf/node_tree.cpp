@@ -12,6 +12,12 @@ Vec3d vec3(const std::vector<double>& v, const Vec3d& otherwise) {
   return v.size() == 3 ? Vec3d{v[0], v[1], v[2]} : otherwise;
 }
 
+/// What the pose says, else the node.
+const std::vector<double>& posed(const std::vector<double>& in_pose,
+                                 const std::vector<double>& in_node) {
+  return in_pose.empty() ? in_node : in_pose;
+}
+
 /// The columns of the rotation by a quaternion (x, y, z, w), which need not be of unit length.
 Affine rotation(const std::vector<double>& q) {
   const double x = q[0], y = q[1], z = q[2], w = q[3];
@@ -24,15 +30,16 @@ Affine rotation(const std::vector<double>& q) {
           {}};
 }
 
-Affine parent_from_node(const tinygltf::Node& node) {
+Affine parent_from_node(const tinygltf::Node& node, const Pose& pose) {
   if (const auto& m = node.matrix; m.size() == 16)
     return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
-  Affine a = node.rotation.size() == 4 ? rotation(node.rotation) : Affine{};
-  const Vec3d scale = vec3(node.scale, {1, 1, 1});
+  const std::vector<double>& quaternion = posed(pose.rotation, node.rotation);
+  Affine a = quaternion.size() == 4 ? rotation(quaternion) : Affine{};
+  const Vec3d scale = vec3(posed(pose.scale, node.scale), {1, 1, 1});
   a.x *= scale.x;
   a.y *= scale.y;
   a.z *= scale.z;
-  a.t = vec3(node.translation, {0, 0, 0});
+  a.t = vec3(posed(pose.translation, node.translation), {0, 0, 0});
   return a;
 }
 
@@ -95,14 +102,16 @@ std::vector<char> scene_roots(const Document& document, const std::vector<std::s
 
 }  // namespace
 
-NodeTree node_tree(const Document& document) {
+NodeTree node_tree(const Document& document, const Poses& poses) {
   const std::vector<std::size_t> parent = parents(document);
   const std::vector<std::size_t> order = top_down(document, parent);
   NodeTree tree;
   tree.in_scene = scene_roots(document, parent);
   tree.world_from_node.resize(parent.size());
   for (const std::size_t i : order) {
-    const Affine local = parent_from_node(document.model().nodes[i]);
+    const auto pose = poses.find(i);
+    const Affine local =
+        parent_from_node(document.model().nodes[i], pose == poses.end() ? Pose{} : pose->second);
     if (parent[i] == kNone) {
       tree.world_from_node[i] = local;
     } else {

@@ -10,6 +10,7 @@
 #include "scene/gltf/document.h"
 #include "scene/gltf/lights.h"
 #include "scene/gltf/materials.h"
+#include "scene/gltf/motion.h"
 #include "scene/gltf/node_tree.h"
 #include "scene/gltf/primitive.h"
 #include "scene/gltf/textures.h"
@@ -138,11 +139,13 @@ void Builder::add_node(std::size_t i) {
 }  // namespace
 }  // namespace gltf
 
-Scene read_gltf(const std::string& path) {
+Scene read_gltf(const std::string& path, const LoadOptions& options) {
   gltf::Document document(path);
-  const gltf::NodeTree tree = gltf::node_tree(document);
+  const gltf::Motion motion = gltf::motion_at(document, options.time);
+  const gltf::NodeTree tree = gltf::node_tree(document, motion.poses);
   gltf::check_instance_count(document, tree);
   Scene scene;
+  scene.keyframe_times = motion.times;
   scene.report.format = document.json().source().binary() ? "glTF 2.0 (binary)" : "glTF 2.0 (text)";
   gltf::Textures textures(document);
   scene.materials = gltf::read_materials(document, textures);

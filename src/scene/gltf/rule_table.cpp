@@ -68,6 +68,20 @@ void add_node_rules(Rules& rules) {
   rules.push_back({"scenes[].nodes", Kind::indices, "nodes"});
 }
 
+void add_animation_rules(Rules& rules) {
+  const std::string a = "animations[].", c = a + "channels[].", s = a + "samplers[].";
+  rules.push_back({a + "name", Kind::text});
+  rules.push_back({a + "channels", Kind::list, {}, 0, kRequired});
+  rules.push_back({c + "sampler", Kind::int_count, {}, 0, kRequired});
+  rules.push_back({c + "target", Kind::object, {}, 0, kRequired});
+  rules.push_back({c + "target.node", Kind::index, "nodes"});
+  rules.push_back({c + "target.path", Kind::text, {}, 0, kRequired});
+  rules.push_back({a + "samplers", Kind::list, {}, 0, kRequired});
+  rules.push_back({s + "input", Kind::index, "accessors", 0, kRequired});
+  rules.push_back({s + "output", Kind::index, "accessors", 0, kRequired});
+  rules.push_back({s + "interpolation", Kind::word_of, "LINEAR|STEP|CUBICSPLINE"});
+}
+
 /// A reference to a texture, with KHR_texture_transform.
 void add_slot_rules(Rules& rules, const std::string& slot) {
   const std::string t = slot + ".extensions.KHR_texture_transform.";
@@ -150,7 +164,7 @@ std::span<const Rule> document_rules() {
     Rules rules;
     for (const auto add :
          {add_data_rules, add_accessor_rules, add_mesh_rules, add_node_rules, add_material_rules,
-          add_texture_rules, add_camera_rules, add_light_rules})
+          add_texture_rules, add_camera_rules, add_light_rules, add_animation_rules})
       add(rules);
     return rules;
   }();

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "base/parallel.h"
-#include "scene/gltf/uri.h"
+#include "scene/gltf/encoded_image.h"
 #include "scene/gltf/values.h"
 
 namespace penumbra::gltf {
@@ -17,28 +17,6 @@ constexpr std::size_t kBatch = 4;
 /// Compressed formats can blow up some ten thousand times; no picture that means something does.
 std::uint64_t most_pixel_bytes(const Document& document) {
   return (std::uint64_t{1} << 30) + 64 * document.bytes_held();
-}
-
-/// The encoded bytes of an image, and what keeps them alive.
-struct Encoded {
-  std::shared_ptr<const std::string> owner;
-  std::string_view bytes;
-};
-
-Encoded owned(std::shared_ptr<const std::string> bytes) {
-  if (!bytes) return {};
-  const std::string_view view = *bytes;
-  return {std::move(bytes), view};
-}
-
-/// Empty if the image is nowhere to be found.
-Encoded encoded(Document& document, const Json::Value& image) {
-  if (image.isMember("bufferView"))
-    return {nullptr, document.bytes_of_view(image["bufferView"].asInt())};
-  const std::string uri = image.get("uri", "").asString();
-  if (!is_data_uri(uri)) return owned(document.external_file(uri));
-  auto bytes = decode_data_uri(uri);
-  return bytes ? owned(std::make_shared<const std::string>(std::move(*bytes))) : Encoded{};
 }
 
 Wrap wrap(int mode) {

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 
 namespace penumbra::json {
 namespace {
@@ -14,6 +15,7 @@ Camera read_camera(const Document& document, const Json::Value& value, const std
   camera.up = reader.optional("up", nonzero_vector, camera.up);
   camera.vertical_fov = reader.optional("vertical_fov_deg", field_of_view_deg, 40.0f) *
                         std::numbers::pi_v<float> / 180.0f;
+  know_keyframes(reader);
   reader.done();
 
   const Vec3d view = Vec3d(camera.look_at) - Vec3d(camera.position);

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 
 namespace penumbra::json {
 namespace {
@@ -65,6 +66,27 @@ void sun_light(ObjectReader& reader, Light& light) {
   light.direction = Vec3(normalize(Vec3d(direction)));
 }
 
+/// A rect light with a texture is a surface that glows: seen, and in the way of other lights.
+void add_textured_rect(Builder& builder, const Light& light, const TextureSlot& texture) {
+  Scene& scene = builder.scene;
+  Material material;
+  material.name = light.name;
+  material.diffuse = {};
+  material.emission = light.emission;
+  material.emission_map = texture;
+  material.emission_map.wrap_s = material.emission_map.wrap_t = Wrap::clamp;
+  material.emission_map_lights = true;
+  material.double_sided = false;
+  const auto number = static_cast<std::uint32_t>(scene.materials.size());
+  scene.materials.push_back(material);
+  const auto object = static_cast<std::uint32_t>(scene.objects.size());
+  scene.objects.push_back({light.name.empty() ? "window" : light.name, true});
+  const Vec3d u(light.edge_u), v(light.edge_v);
+  Mesh mesh = quad_mesh(Vec3d(light.position) - (u + v) * 0.5, u, v);
+  mesh.name = scene.objects.back().name;
+  add_mesh(builder, std::move(mesh), number, object);
+}
+
 using LightFunction = void (*)(ObjectReader&, Light&);
 constexpr TypeEntry<LightFunction> light_types[] = {
     {"sphere", sphere_light},   {"disk", disk_light},   {"rect", rect_light},
@@ -78,8 +100,19 @@ void read_lights(Builder& builder, const Json::Value& lights) {
     const LightFunction read = choose_by_type(reader, light_types);
     Light& light = builder.scene.lights.emplace_back();
     light.name = reader.optional<std::string>("name", text, {});
+    const bool is_rect = read == rect_light;
+    const TextureSlot texture =
+        is_rect ? optional_texture(builder, reader, "texture") : TextureSlot{};
+    know_keyframes(reader);
     read(reader, light);
+    if (!texture.used()) continue;
+    builder.windows.push_back({light, texture});
+    builder.scene.lights.pop_back();
   }
+}
+
+void add_windows(Builder& builder) {
+  for (const Builder::Window& w : builder.windows) add_textured_rect(builder, w.light, w.texture);
 }
 
 }  // namespace penumbra::json

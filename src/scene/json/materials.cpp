@@ -34,14 +34,10 @@ Material read_material(Builder& builder, const Member& member) {
   material.roughness = reader.optional("roughness", unit_interval, material.roughness);
   material.mirror = reader.optional("mirror", albedo_or_grey, material.mirror);
   material.emission = reader.optional("emission", light_colour, material.emission);
-  const std::string texture = reader.optional<std::string>("texture", file_name, {});
+  material.diffuse_map = optional_texture(builder, reader, "texture");
+  material.emission_map = optional_texture(builder, reader, "emission_texture");
+  material.emission_map_lights = true;
   reader.done();
-  if (texture.empty()) return material;
-  const std::optional<std::string> path = builder.document.find_file(texture);
-  if (!path)
-    reader.refuse_key("texture", fmt::format("there is no image file \"{}\"", texture),
-                      "name a PNG or JPEG file, relative to the scene file");
-  material.diffuse_map.image = texture_of(builder, *path);
   return material;
 }
 
@@ -57,6 +53,18 @@ std::uint32_t material_named(Builder& builder, ObjectReader& object, const std::
 }
 
 }  // namespace
+
+TextureSlot optional_texture(Builder& builder, ObjectReader& reader, const char* key) {
+  TextureSlot slot;
+  const std::string name = reader.optional<std::string>(key, file_name, {});
+  if (name.empty()) return slot;
+  const std::optional<std::string> path = builder.document.find_file(name);
+  if (!path)
+    reader.refuse_key(key, fmt::format("there is no image file \"{}\"", name),
+                      "name a PNG or JPEG file, relative to the scene file");
+  slot.image = texture_of(builder, *path);
+  return slot;
+}
 
 void read_materials(Builder& builder, const Json::Value& materials) {
   for (const Member& member : members_in_file_order(materials)) {
@@ -77,12 +85,13 @@ std::optional<std::uint32_t> optional_material(Builder& builder, ObjectReader& o
 
 std::uint32_t untextured(Builder& builder, std::uint32_t material, std::string_view things) {
   std::vector<Material>& materials = builder.scene.materials;
-  if (!materials[material].diffuse_map.used()) return material;
+  if (!materials[material].diffuse_map.used() && !materials[material].emission_map.used())
+    return material;
   const auto next = static_cast<std::uint32_t>(materials.size());
   const auto [copy, is_new] = builder.untextured.try_emplace(material, next);
   if (!is_new) return copy->second;
   materials.push_back(Material(materials[material]));
-  materials.back().diffuse_map = {};
+  materials.back().diffuse_map = materials.back().emission_map = {};
   builder.scene.report.warnings.push_back(fmt::format(
       "{} have no texture coordinates: the texture of material \"{}\" is left out there", things,
       materials.back().name));

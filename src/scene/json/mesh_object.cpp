@@ -62,6 +62,7 @@ Model take_over(Scene& scene, Scene& model, const std::string& file) {
   append(scene.textures, model.textures);
   append(scene.materials, model.materials);
   append(scene.meshes, model.meshes);
+  append(scene.keyframe_times, model.keyframe_times);
   append_report(scene.report, model.report);
   return {std::move(model.instances)};
 }
@@ -73,7 +74,7 @@ const Model& model_of(Builder& builder, const ObjectReader& reader, const std::s
                       "name one relative to the scene file");
   if (const auto known = builder.models.find(*path); known != builder.models.end())
     return known->second;
-  Scene model = read_model(*path);
+  Scene model = read_model(*path, {.time = builder.time});
   if (!has_triangles(model))
     reader.refuse_key("file", fmt::format("the model file \"{}\" holds no triangle", file),
                       "name a file with triangles");

@@ -2,6 +2,7 @@
 
 #include "base/cancel.h"
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 
 namespace penumbra::json {
 namespace {
@@ -30,6 +31,7 @@ void read_objects(Builder& builder, const Json::Value& objects) {
     object.name = name_of(reader, index);
     object.receives = reader.optional("receives", flag, true);
     object.samples_scale = reader.optional("samples_scale", samples_scale, 1.0f);
+    know_keyframes(reader);
     read(builder, reader, static_cast<std::uint32_t>(index));
   }
   scene.lights.insert(scene.lights.end(), builder.sphere_lights.begin(),

@@ -1,16 +1,20 @@
+#include <algorithm>
 #include <functional>
 
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 #include "scene/load.h"
 
 namespace penumbra {
 
-Scene json::read_scene(const Document& document) {
-  Builder builder{document};
+Scene json::read_scene(const Document& document, double time) {
+  Builder builder{document, time};
   Scene& scene = builder.scene;
   scene.report.format = "Penumbra scene (JSON)";
 
-  ObjectReader reader(document, document.root(), "the scene");
+  const std::optional<Moment> moment = moment_of(document, time);
+  if (moment) scene.keyframe_times = moment->times;
+  ObjectReader reader(document, moment ? moment->root : document.root(), "the scene");
   reader.optional<std::string>("$schema", text, {});
   read_cameras(builder, reader);
   const Json::Value* materials = reader.optional<const Json::Value*>("materials", object, nullptr);
@@ -23,9 +27,15 @@ Scene json::read_scene(const Document& document) {
   if (materials) read_materials(builder, *materials);
   if (lights) read_lights(builder, *lights);
   read_objects(builder, *objects);
+  add_windows(builder);
+  auto& times = scene.keyframe_times;
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return std::move(builder.scene);
 }
 
-Scene read_json_scene(const std::string& path) { return json::read_scene(json::Document(path)); }
+Scene read_json_scene(const std::string& path, const LoadOptions& options) {
+  return json::read_scene(json::Document(path), options.time);
+}
 
 }  // namespace penumbra

@@ -8,6 +8,7 @@
 #include "base/cancel.h"
 #include "scene/glsl_source.h"
 #include "scene/json/builder.h"
+#include "scene/json/keyframes.h"
 #include "scene/json/sdf_parameters.h"
 #include "scene/sdf_path.h"
 
@@ -63,6 +64,7 @@ class TreeReader {
     node.first_child = static_cast<std::uint32_t>(tree_.nodes.size());
     if (signature.most_children > 0) add_children(reader, signature, i, node.material);
     node.child_count = static_cast<std::uint32_t>(tree_.nodes.size()) - node.first_child;
+    know_keyframes(reader);
     reader.done();
     check_parameters(reader, node.op, tree_.numbers_of(node));
     tree_.nodes[i] = node;

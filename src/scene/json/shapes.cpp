@@ -70,6 +70,13 @@ void refuse_parallel_edges(const ObjectReader& reader, const Vec3d& u, const Vec
                       "give edges that span an area");
 }
 
+Mesh quad_mesh(const Vec3d& corner, const Vec3d& u, const Vec3d& v) {
+  Mesh mesh;
+  append_quad(mesh, corner, u, v);
+  mesh.exact = ExactQuad{Vec3(corner), Vec3(u), Vec3(v)};
+  return mesh;
+}
+
 void read_quad(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   const Vec3d corner(reader.required("corner", point));
   const Vec3d u(reader.required("edge_u", nonzero_vector));
@@ -77,10 +84,7 @@ void read_quad(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   const std::uint32_t material = required_material(builder, reader);
   reader.done();
   refuse_parallel_edges(reader, u, v);
-  Mesh mesh;
-  append_quad(mesh, corner, u, v);
-  mesh.exact = ExactQuad{Vec3(corner), Vec3(u), Vec3(v)};
-  add_mesh(builder, std::move(mesh), material, object);
+  add_mesh(builder, quad_mesh(corner, u, v), material, object);
 }
 
 void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object) {
@@ -90,6 +94,8 @@ void read_sphere(Builder& builder, ObjectReader& reader, std::uint32_t object) {
   sphere.material = required_material(builder, reader);
   sphere.object = object;
   reader.done();
+  if (builder.scene.materials[sphere.material].emission_map.used())
+    sphere.material = untextured(builder, sphere.material, "sphere objects");
   if (max_component(builder.scene.materials[sphere.material].emission) > 0)
     return turn_into_light(builder, sphere);
   sphere.material = untextured(builder, sphere.material, "sphere objects");
