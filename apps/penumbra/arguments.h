@@ -7,7 +7,9 @@
 
 #include "bake/bake_options.h"
 #include "bake/plan.h"
+#include "bake/store.h"
 #include "diff_options.h"
+#include "light_factor.h"
 #include "render/gl/render_gl.h"
 #include "render/render.h"
 #include "report/sweep.h"
@@ -33,6 +35,7 @@ struct BakeArguments {
   float error = 0;                  ///< PassOptions::error
   std::optional<float> time_limit;  ///< seconds of light
   bool lightmap = false, hdr = false;
+  bake::Store store = bake::Store::radiance;
   std::string preview;  ///< HTML file; empty = none
 };
 
@@ -63,6 +66,7 @@ struct Arguments {
   std::vector<Light> lights;       ///< --light
   bool keep_scene_lights = true;
   float light_size = 1;
+  std::vector<LightFactor> light_factors;  ///< --light-factor
   std::vector<AovRequest> aovs;
   std::string stats;  ///< file of --stats; empty = none
   int threads = 0;    ///< 0 = all cores

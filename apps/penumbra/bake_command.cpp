@@ -5,13 +5,15 @@
 #include <cctype>
 #include <filesystem>
 
-#include "bake/baked_irradiance.h"
+#include "bake/bake_store.h"
 #include "bake/preview.h"
+#include "bake/receivers.h"
 #include "bake/triangulate.h"
 #include "bake_files.h"
 #include "base/error.h"
 #include "commands.h"
 #include "image/exr.h"
+#include "interrupt.h"
 #include "memory.h"
 #include "outputs.h"
 #include "prepare.h"
@@ -20,6 +22,18 @@
 
 namespace penumbra::app {
 namespace {
+
+void check_store_options(const Arguments& a) {
+  if (a.bake.store == bake::Store::radiance) return;
+  for (const char* option : {"--error", "--time-limit", "--preview", "--exposure"})
+    if (std::ranges::find(a.given, option) != a.given.end())
+      throw InputError(fmt::format("{}: it belongs to --store radiance", option),
+                       "leave it or --store out");
+  if (a.bake.lightmap || a.bake.hdr)
+    throw InputError(
+        fmt::format("{}: it belongs to --store radiance", a.bake.lightmap ? "--lightmap" : "--hdr"),
+        "leave it or --store out");
+}
 
 void check_lightmap_options(const Arguments& a) {
   if (a.bake.lightmap && a.bake.hdr)
@@ -40,7 +54,7 @@ void check_error(const Arguments& a) {
                      "give more --light-samples");
 }
 
-void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& console) {
+void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, bool radiance, Console& console) {
   constexpr std::size_t shown = 5;
   const auto names = [](const std::vector<std::string>& all) {
     const std::vector<std::string> some(
@@ -51,7 +65,7 @@ void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& conso
   if (!plan.remarks.coarse.empty())
     console.warn(fmt::format("texels are coarser than asked for, to fit into one texture: {}",
                              names(plan.remarks.coarse)));
-  if (!plan.remarks.blurred.empty())
+  if (!plan.remarks.blurred.empty() && radiance)
     console.warn(
         fmt::format("base-colour textures are finer than the texels and look blurred: {}; "
                     "a smaller --texel-size or --lightmap keeps them",
@@ -66,7 +80,7 @@ void warn_of_surfaces(const Scene& scene, const bake::Plan& plan, Console& conso
                                  (m.is_metallic_roughness && m.metallic > 0.5f);
     if (turns_with_view && std::ranges::find(shiny, m.name) == shiny.end()) shiny.push_back(m.name);
   }
-  if (!shiny.empty())
+  if (!shiny.empty() && radiance)
     console.warn(fmt::format("highlights and mirrors depend on the viewer and are not baked: {}",
                              names(shiny)));
 }
@@ -82,11 +96,12 @@ Brightness brightness_of(const World& world, const Arguments& a, const DirectLig
   return bright;
 }
 
-/// Of a lightmap from a glTF file.
+/// Where a glTF file's materials are kept.
 std::optional<GltfMaterials> source_of(const Arguments& a) {
   std::string ending = std::filesystem::path(a.scene).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (!a.bake.lightmap || (ending != ".glb" && ending != ".gltf")) return {};
+  const bool keeps = a.bake.lightmap || a.bake.store != bake::Store::radiance;
+  if (!keeps || (ending != ".glb" && ending != ".gltf")) return {};
   return read_gltf_materials(a.scene);
 }
 
@@ -104,7 +119,12 @@ void tell(const bake::BakeStats& stats, const bake::Plan& plan, Console& console
   console.remark(fmt::format("{} charts, {} texels of {:.3g} m, {} texture{}", stats.charts,
                              stats.texels, plan.texel_size, stats.pages,
                              stats.pages == 1 ? "" : "s"));
-  if (stats.light_points > 0)
+  if (was_interrupted() && stats.hasty_charts > 0)
+    console.warn(fmt::format("stopped early: {} of {} charts have {:.3g} points a light",
+                             stats.hasty_charts, stats.charts, stats.light_points));
+  else if (was_interrupted())
+    console.warn("stopped early: what there is, is written");
+  if (stats.light_points > 0 && stats.hasty_charts == 0)
     console.remark(fmt::format("{:.3g} points a light on average", stats.light_points));
   if (stats.vertex_charts > 0)
     console.remark(
@@ -121,7 +141,7 @@ Json::Value stats_of(const Arguments& a, const Scene& scene, const World& world,
   json["vertex_charts"] = static_cast<Json::UInt64>(bake.vertex_charts);
   json["texels"] = static_cast<Json::UInt64>(bake.texels);
   json["textures"] = static_cast<Json::UInt64>(bake.pages);
-  if (bake.light_points > 0) json["points_per_light"] = bake.light_points;
+  if (bake.light_points > 0 && bake.hasty_charts == 0) json["points_per_light"] = bake.light_points;
   json["texel_size"] = plan.texel_size;
   return json;
 }
@@ -129,6 +149,7 @@ Json::Value stats_of(const Arguments& a, const Scene& scene, const World& world,
 }  // namespace
 
 void run_bake(Arguments& a, Console& console) {
+  check_store_options(a);
   check_lightmap_options(a);
   check_error(a);
   check_outputs(a);
@@ -140,7 +161,8 @@ void run_bake(Arguments& a, Console& console) {
     throw InputError({a.scene}, "a shader has no surfaces to bake", "use penumbra render");
   const Scene scene = bake::triangulated(loaded, a.conversion);
   const bake::Plan plan = bake::make_plan(scene, a.bake.textures);
-  warn_of_surfaces(scene, plan, console);
+  const bool radiance = a.bake.store == bake::Store::radiance;
+  warn_of_surfaces(scene, plan, radiance, console);
   console.start("build", 0);
   const World world(scene, {.cone_tree = false});
   console.finish();
@@ -149,6 +171,7 @@ void run_bake(Arguments& a, Console& console) {
   const MaterialLookup materials(scene);
   const Brightness bright = brightness_of(world, a, lights, materials);
   a.bake.light.seed = a.render.seed;
+  a.bake.light.instance_scale = bake::samples_scales(scene);
   const bake::BakedIrradiance irradiance(world, a.bake.light);
   bake::BakeInput input{scene,
                         irradiance,
@@ -163,15 +186,20 @@ void run_bake(Arguments& a, Console& console) {
   };
   const std::optional<GltfMaterials> source = source_of(a);
   if (source) input.source = &*source;
+  std::optional<FinishOnInterrupt> finish;
+  if (radiance) finish.emplace();
+  input.finish_early = [&] { return finish && finish->take_interrupt(); };
+  input.hasty = &irradiance;
   const Stopwatch work;
   input.passes = pass_options(a);
   const bake::Baked baked =
-      bake::bake(input, plan, a.bake.textures,
-                 a.bake.lightmap ? bake::Output::lightmap : bake::Output::radiance,
-                 a.bake.hdr || a.bake.lightmap ? write_page : bake::PageSink(), console);
+      radiance ? bake::bake(input, plan, a.bake.textures,
+                            a.bake.lightmap ? bake::Output::lightmap : bake::Output::radiance,
+                            a.bake.hdr || a.bake.lightmap ? write_page : bake::PageSink(), console)
+               : bake::bake_store(input, irradiance, plan, a.bake.textures, a.bake.store, console);
   const double seconds = work.seconds();
   tell(baked.stats, plan, console);
-  console.remark(fmt::format("exposure: {:.2f} EV", bright.exposure_ev));
+  if (radiance) console.remark(fmt::format("exposure: {:.2f} EV", bright.exposure_ev));
   write_baked(a, baked);
   if (!a.stats.empty()) write_stats(a.stats, stats_of(a, scene, world, plan, baked.stats, seconds));
 }

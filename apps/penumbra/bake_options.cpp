@@ -10,7 +10,8 @@ namespace penumbra::app {
 namespace {
 
 constexpr std::array<std::string_view, 4> kDevices{"auto", "cpu", "gl", "rays"};
-// In the order of SamplePlacement.
+// In the order of Store and of SamplePlacement.
+constexpr std::array<std::string_view, 3> kStores{"radiance", "visibility", "samples"};
 constexpr std::array<std::string_view, 3> kSampleGrids{"jittered", "regular", "low-discrepancy"};
 // In the order of CurvedShadows.
 constexpr std::array<std::string_view, 2> kCurved{"rays", "plane"};
@@ -106,6 +107,14 @@ void add_file_options(CLI::App& command, Arguments& a) {
   };
   flag("--lightmap", a.bake.lightmap,
        "keep the materials and add irradiance (MOZ_lightmap, EXR and JSON beside)");
+  add_value(
+      command, a, "--store", "WHAT", "radiance",
+      [&a](auto& t) {
+        a.bake.store = static_cast<bake::Store>(parse_choice("--store", t, kStores));
+      },
+      "radiance; visibility (a texture of visible fractions for each light) or samples (one bit a "
+      "texel and light point), which penumbra render lights and shades")
+      ->group("Files");
   flag("--hdr", a.bake.hdr, "also write linear radiance as EXR beside the .glb");
   add_value(
       command, a, "--preview", "FILE.html", "", [&a](auto& t) { a.bake.preview = t; },

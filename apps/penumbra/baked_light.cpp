@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bake/receivers.h"
 #include "bake/triangulate.h"
 #include "base/parallel.h"
 #include "memory.h"
@@ -44,8 +45,9 @@ BakedLight::BakedLight(const Scene& scene, const Arguments& arguments, Console& 
     : scene_(bake::triangulated(scene, arguments.conversion)),
       plan_(bake::make_plan(scene_, textures_of(arguments))),
       world_(scene_, {.cone_tree = false}) {
-  const bake::BakedIrradiance irradiance(world_,
-                                         options_of(arguments, bake::BakeDevice::automatic));
+  bake::BakeOptions samples = options_of(arguments, bake::BakeDevice::automatic);
+  samples.instance_scale = bake::samples_scales(scene_);
+  const bake::BakedIrradiance irradiance(world_, samples);
   for (const bake::CutChart& chart : plan_.charts)
     for (const int points : irradiance.sample_counts(chart.shape, {}))
       texel_samples_ += static_cast<std::uint64_t>(chart.shape.width) *

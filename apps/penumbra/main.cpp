@@ -63,7 +63,10 @@ int run(Arguments& arguments) {
 int run_program(int argc, char** argv) try {
   stop_on_interrupt();
   std::string answer;
-  if (auto arguments = parse_command_line(argc, argv, answer)) return run(*arguments);
+  if (auto arguments = parse_command_line(argc, argv, answer)) {
+    const int status = run(*arguments);
+    return was_interrupted() && status == 0 ? 130 : status;
+  }
   print(answer);
   return 0;
 } catch (const InputError& error) {

@@ -227,6 +227,13 @@ void add_light_options(CLI::App& command, Arguments& a) {
           "--no-scene-lights", [&a] { a.keep_scene_lights = false; }, "leave out the file's lights")
       ->group("Lights");
   add_value(
+      command, a, "--light-factor", "LIGHT=R,G,B", "",
+      [&](auto& t) { a.light_factors.push_back(parse_light_factor(t)); },
+      "multiply the emission of a light, by its name or index; one number or three; repeatable")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->group("Lights");
+  add_value(
       command, a, "--light-size", "F", "1",
       [&](auto& t) { a.light_size = parse_number("--light-size", t, 1e-6, 1e6); },
       "scale all lights about their centres")

@@ -3,6 +3,7 @@
 #include "baked_light.h"
 #include "device.h"
 #include "prepare.h"
+#include "stored_picture.h"
 
 namespace penumbra::app {
 
@@ -14,7 +15,7 @@ Picture make_picture(Arguments& arguments, const Scene& scene, Console& console)
     return picture;
   }
   const Stopwatch build;
-  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf) {
+  if (arguments.render.shadows.kind == ShadowKind::heckbert_herf && !scene.stores_visibility) {
     const BakedLight baked(scene, arguments, console);
     picture.seconds_build = build.seconds();
     picture.structure_bytes = baked.world().memory_bytes();
@@ -24,9 +25,12 @@ Picture make_picture(Arguments& arguments, const Scene& scene, Console& console)
     return picture;
   }
   const std::unique_ptr<World> world = build_world(scene, arguments, console);
+  const auto stored = stored_light(arguments, scene, console);
   picture.seconds_build = build.seconds();
   picture.structure_bytes = world->memory_bytes();
-  picture.result = render(*world, arguments.render, console);
+  RenderOptions options = arguments.render;
+  options.known = stored.get();
+  picture.result = render(*world, options, console);
   return picture;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "light_factor.h"
 #include "light_spec.h"
 #include "options.h"
 #include "scene/extent.h"
@@ -123,6 +124,7 @@ Scene prepare_scene(const Arguments& arguments, Console& console) {
   const std::vector<std::string> warnings = arguments.light_size == 1
                                                 ? std::vector<std::string>{}
                                                 : scale_lights(scene, arguments.light_size);
+  for (const LightFactor& factor : arguments.light_factors) apply(factor, scene);
   console.finish();
   repeat_report(scene.report, console);
   for (const std::string& text : warnings) console.warn(text);

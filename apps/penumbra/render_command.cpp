@@ -11,6 +11,7 @@
 #include "picture.h"
 #include "prepare.h"
 #include "stats.h"
+#include "stored_picture.h"
 
 namespace penumbra::app {
 namespace {
@@ -78,6 +79,7 @@ void run_render(Arguments& arguments, Console& console) {
   const Stopwatch load;
   const Scene scene = prepare_scene(arguments, console);
   phases.load = load.seconds();
+  prefer_stored(arguments, scene, console);
   arguments.render.camera = chosen_camera(scene, arguments.camera);
   check_picture_fits(arguments, scene.lights.size());
   check_visibility_has_lights(arguments, scene);

@@ -7,6 +7,7 @@
 #include "bake/assemble.h"
 #include "bake/file_materials.h"
 #include "base/cancel.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "image/png_bytes.h"
 
@@ -20,25 +21,70 @@ std::uint64_t texels_of(const CutChart& chart) {
          static_cast<std::uint64_t>(chart.shape.height);
 }
 
-std::vector<LitChart> light_all(const BakeInput& input, const Plan& plan,
-                                const SurfaceLight& surface, const LightOptions& options,
-                                Progress& progress) {
-  std::vector<std::size_t> order(plan.charts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  // Large ones first, so that none is left over for one thread at the end.
-  std::ranges::stable_sort(order, std::greater{},
-                           [&](std::size_t i) { return texels_of(plan.charts[i]); });
-  std::vector<LitChart> lit(plan.charts.size());
-  progress.start("bake", plan.texel_count());
-  parallel_for(order.size(), [&](std::size_t k) {
-    const CutChart& chart = plan.charts[order[k]];
-    lit[order[k]] =
-        light_chart(chart, *plan.meshes[chart.shape.instance], input.irradiance, surface, options);
-    progress.advance(texels_of(chart));
-  });
-  progress.finish();
-  return lit;
-}
+/// Lights charts one after another, large ones first, so that none is left over for one thread at
+/// the end.
+class AllAtOnce {
+ public:
+  AllAtOnce(const BakeInput& input, const Plan& plan, const SurfaceLight& surface,
+            const LightOptions& options, Progress& progress)
+      : input_(input),
+        plan_(plan),
+        surface_(surface),
+        options_(options),
+        progress_(progress),
+        order_(plan.charts.size()),
+        lit_(plan.charts.size()),
+        is_lit_(plan.charts.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::stable_sort(order_, std::greater{},
+                             [&](std::size_t i) { return texels_of(plan.charts[i]); });
+  }
+
+  std::vector<LitChart> run(BakeStats& stats) {
+    progress_.start("bake", plan_.texel_count());
+    try {
+      light(input_.irradiance);
+    } catch (const Cancelled&) {
+      if (!input_.finish_early || !input_.finish_early()) throw;
+      light_others(stats);
+    }
+    progress_.finish();
+    return std::move(lit_);
+  }
+
+ private:
+  void light_others(BakeStats& stats) {
+    PassOptions passes;
+    passes.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    for (std::size_t i = 0; i < is_lit_.size(); ++i)
+      if (!is_lit_[i]) passes.only.push_back(i);
+    if (passes.only.empty()) return;
+    LitCharts lit = light_in_passes(plan_, *input_.hasty, surface_, options_, passes, progress_);
+    for (const std::size_t i : passes.only) lit_[i] = std::move(lit.charts[i]);
+    stats.hasty_charts = passes.only.size();
+    stats.light_points = lit.points;
+  }
+
+  void light(const Irradiance& irradiance) {
+    parallel_for(order_.size(), [&](std::size_t k) {
+      const std::size_t i = order_[k];
+      const CutChart& chart = plan_.charts[i];
+      lit_[i] =
+          light_chart(chart, *plan_.meshes[chart.shape.instance], irradiance, surface_, options_);
+      is_lit_[i] = 1;
+      progress_.advance(texels_of(chart));
+    });
+  }
+
+  const BakeInput& input_;
+  const Plan& plan_;
+  const SurfaceLight& surface_;
+  const LightOptions& options_;
+  Progress& progress_;
+  std::vector<std::size_t> order_;
+  std::vector<LitChart> lit_;
+  std::vector<std::uint8_t> is_lit_;
+};
 
 /// Irradiance without shadows, by DirectLight, composed at every vertex of one side.
 std::vector<Vec3> unshadowed_colors(const BakeInput& input, const WorldMesh& mesh, bool back) {
@@ -75,7 +121,6 @@ class Pages {
     }
     for (const PlacedCharts::Area& area : placed_.areas)
       if (area.page == number) page.fill(area);
-    throw_if_cancelled();
     return page;
   }
 
@@ -130,13 +175,20 @@ class Bake {
   void light(Progress& progress) {
     const SurfaceLight surface(input_.scene, input_.materials, input_.ambient);
     if (!input_.refined) {
-      lit_ = light_all(input_, plan_, surface, light_options(), progress);
+      const LightOptions options = light_options();
+      lit_ = AllAtOnce(input_, plan_, surface, options, progress).run(baked_.stats);
       return;
     }
     LitCharts lit =
-        light_in_passes(plan_, *input_.refined, surface, light_options(), input_.passes, progress);
+        light_in_passes(plan_, *input_.refined, surface, light_options(), passes(), progress);
     lit_ = std::move(lit.charts);
     baked_.stats.light_points = lit.points;
+  }
+
+  PassOptions passes() const {
+    PassOptions options = input_.passes;
+    options.finish_early = input_.finish_early;
+    return options;
   }
 
   LightOptions light_options() const {
@@ -236,6 +288,7 @@ class Bake {
     Pages pages(plan_, textured_, lit_, placed_);
     for (std::size_t i = 0; i < placed_.pages.size(); ++i) {
       const Page page = pages.fill(static_cast<int>(i));
+      if (cancel_requested && !(input_.finish_early && input_.finish_early())) throw Cancelled();
       std::string& png = baked_.model.images[i].bytes;
       if (output_ == Output::lightmap) {
         intensities_.push_back(brightest(page.color()));

@@ -27,6 +27,11 @@ struct BakeInput {
   /// Lightmaps: the materials of the glTF file that the scene was read from, kept as they are;
   /// null: written from the scene's.
   const GltfMaterials* source = nullptr;
+  /// Asked when the work is cancelled. True: what there is shall be finished, and cancel_requested
+  /// is false again; charts that are not lit are lit by light_in_passes() of `hasty` for a second,
+  /// or as long as the first pass takes. Null: never.
+  std::function<bool()> finish_early = {};
+  const BakedIrradiance* hasty = nullptr;  ///< with finish_early
 };
 
 enum class Output : std::uint8_t { radiance, lightmap };
@@ -35,7 +40,8 @@ struct BakeStats {
   std::size_t charts = 0, vertex_charts = 0, pages = 0;
   std::uint64_t texels = 0;        ///< lit
   std::uint64_t saved_texels = 0;  ///< of charts that became vertex colours
-  double light_points = 0;         ///< a light, on average; of passes alone
+  double light_points = 0;         ///< a light, on average; of charts lit in passes
+  std::size_t hasty_charts = 0;    ///< lit by `hasty`
 };
 
 /// Called with each page of linear texels as it is finished.

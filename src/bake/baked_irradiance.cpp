@@ -121,6 +121,7 @@ struct BakedIrradiance::Parts {
                   const Body& body) const {
     in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
+        throw_if_cancelled();
         const Receiver r = rays.receiver(points[i]);
         body(i, r, patch_of(r, instance_scale(options, points[i].instance), set));
       }
@@ -229,6 +230,67 @@ void BakedIrradiance::unit_irradiances(std::span<const SurfacePoint> points, std
   const Parts& p = *parts_;
   p.for_points(points, {}, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
     out[i] = p.rays.light(r, p.sampler.sample(light, patch)).irradiance;
+  });
+}
+
+void BakedIrradiance::lit_parts(const PlanarChart& chart, std::size_t light,
+                                std::span<float> out) const {
+  const Parts& p = *parts_;
+  const SampledLight sampled = p.sampler.sample(light, patch_of(chart, p.options));
+  const Way way = p.way(chart, std::span(&sampled, 1));
+  if (way == Way::gl) return p.gl->fractions(chart, sampled, BakeQuantity::lit_part, out);
+  if (way == Way::raster) return p.raster->fractions(chart, sampled, BakeQuantity::lit_part, out);
+  for_texels(chart, [&](std::size_t i, const Receiver& texel) {
+    out[i] = p.rays.light(texel, sampled).lit_part;
+  });
+}
+
+void BakedIrradiance::lit_parts(std::span<const SurfacePoint> points, std::size_t light,
+                                std::span<float> out) const {
+  const Parts& p = *parts_;
+  p.for_points(points, {}, [&](std::size_t i, const Receiver& r, const ReceiverPatch& patch) {
+    out[i] = p.rays.light(r, p.sampler.sample(light, patch)).lit_part;
+  });
+}
+
+std::vector<SampledLight> BakedIrradiance::sampled_lights(const PlanarChart& chart,
+                                                          bool all) const {
+  const Parts& p = *parts_;
+  std::vector<SampledLight> lights;
+  for (std::size_t l = 0; l < p.world.scene().lights.size(); ++l)
+    lights.push_back(p.sampler.sample(l, patch_of(chart, p.options), all));
+  return lights;
+}
+
+void BakedIrradiance::visible_samples(const PlanarChart& chart, const SampledLight& light,
+                                      SampleBits& bits) const {
+  const Parts& p = *parts_;
+  if (p.raster && p.way(chart, std::span(&light, 1)) != Way::rays)
+    return p.raster->visible_samples(chart, light, bits);
+  const auto width = static_cast<std::size_t>(chart.width);
+  std::vector<std::uint8_t> row(width * light.samples.size());
+  for (int j = 0; j < chart.height; ++j) {
+    throw_if_cancelled();
+    in_pieces(width, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        p.rays.visible_samples(
+            {chart.texel(static_cast<float>(i), static_cast<float>(j)), chart.normal}, light,
+            std::span(row).subspan(i * light.samples.size(), light.samples.size()));
+    });
+    for (std::size_t k = 0; k < row.size(); ++k)
+      bits.set(static_cast<std::size_t>(j) * width + k / light.samples.size(),
+               k % light.samples.size(), row[k] != 0);
+  }
+}
+
+void BakedIrradiance::visible_samples(std::span<const SurfacePoint> points,
+                                      const SampledLight& light,
+                                      std::span<std::uint8_t> out) const {
+  const Parts& p = *parts_;
+  const std::size_t n = light.samples.size();
+  in_pieces(points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      p.rays.visible_samples(p.rays.receiver(points[i]), light, out.subspan(i * n, n));
   });
 }
 

@@ -7,6 +7,8 @@
 
 #include "bake/bake_options.h"
 #include "bake/chart.h"
+#include "bake/light_sampler.h"
+#include "bake/sample_bits.h"
 #include "geometry/world.h"
 
 namespace penumbra::bake {
@@ -49,6 +51,20 @@ class BakedIrradiance final : public Irradiance {
   void unit_irradiances(const PlanarChart& chart, std::size_t light, std::span<float> out) const;
   void unit_irradiances(std::span<const SurfacePoint> points, std::size_t light,
                         std::span<float> out) const;
+
+  /// The part of one light's irradiance that arrives, in [0, 1]: of its samples, weighted as
+  /// equation (1) has them, those that are visible.
+  void lit_parts(const PlanarChart& chart, std::size_t light, std::span<float> out) const;
+  void lit_parts(std::span<const SurfacePoint> points, std::size_t light,
+                 std::span<float> out) const;
+
+  /// The samples of all lights for a chart; `all`: also those behind its plane.
+  std::vector<SampledLight> sampled_lights(const PlanarChart& chart, bool all) const;
+  /// Which of them the texels see. Not by the device gl. `bits` are 0 before.
+  void visible_samples(const PlanarChart& chart, const SampledLight& light, SampleBits& bits) const;
+  /// A byte for each point and sample, 1 where they see each other.
+  void visible_samples(std::span<const SurfacePoint> points, const SampledLight& light,
+                       std::span<std::uint8_t> out) const;
 
   /// The visible fraction of one light, in [0, 1], at every texel; at points.
   void visible_fractions(const PlanarChart& chart, std::size_t light, std::span<float> out) const;

@@ -56,6 +56,9 @@ class Writer {
     asset["version"] = "2.0";
     asset["generator"] = "penumbra bake";
     if (!model_.extras.empty()) asset["extras"]["penumbra"] = model_.extras;
+    if (!model_.samples.empty())
+      asset["extras"]["penumbra"]["store"]["samples"]["bufferView"] =
+          buffer_.add_view(model_.samples);
   }
 
   Json::Value primitive(const GlbPrimitive& p) {

@@ -43,6 +43,8 @@ struct GlbModel {
   std::vector<Light> lights;              ///< see add_lights()
   bool lights_are_baked = true;           ///< says `"baked": true` in their extras
   Json::Value extras{Json::objectValue};  ///< of asset, under "penumbra"
+  /// A bufferView of its own, whose number becomes extras.store.samples.bufferView; empty: none.
+  std::string samples;
 };
 
 /// The file's bytes: one scene, one buffer, images inside. Cameras and lights become nodes of their

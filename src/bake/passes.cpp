@@ -4,6 +4,7 @@
 #include <atomic>
 #include <numeric>
 
+#include "base/error.h"
 #include "base/parallel.h"
 
 namespace penumbra::bake {
@@ -73,10 +74,12 @@ class RefinedChart {
   }
 
   void refine(float share) {
-    if (starts_afresh(share)) clear();
-    if (this->share() == 0 && share * most_ < 2) return add(halves_[0], share);
-    for (Half& half : halves_)
-      if (share / 2 > half.share) add(half, share / 2 - half.share);
+    bool drops = starts_afresh(share);
+    if (this->share() == 0 && share * most_ < 2) return add(halves_[0], share, false);
+    for (Half& half : halves_) {
+      const float has = drops ? 0 : half.share;
+      if (share / 2 > has) add(half, share / 2 - has, drops), drops = false;
+    }
   }
 
   /// Root mean square of the difference of the halves, halved, over the brightest irradiance.
@@ -120,9 +123,11 @@ class RefinedChart {
     points_ = 0;
   }
 
-  void add(Half& half, float share) {
+  /// Where it is cancelled all stays as it was. `drops`: what there is before.
+  void add(Half& half, float share, bool drops) {
     const SampleSet set{share, ++sets_};
     find_irradiance(chart_, mesh_, OfSet(irradiance_, set), samples_);
+    if (drops) clear();
     for (std::size_t i = 0; i < half.sum.size(); ++i) half.sum[i] += samples_.values[i] * share;
     half.share += share;
     samples_.values = {};
@@ -158,16 +163,26 @@ class Passes {
   LitCharts run() {
     const auto total = static_cast<double>(plan_.texel_count()) * progress_steps;
     progress_.start("bake", static_cast<std::uint64_t>(total));
-    first_pass();
-    while (pass()) {
+    order_ = largest_first();
+    try {
+      first_pass();
+      while (pass()) {
+      }
+    } catch (const Cancelled&) {
+      if (!options_.finish_early || !options_.finish_early()) throw;
+      order_ = largest_first();
+      first_pass();
     }
     return finish();
   }
 
  private:
   std::vector<std::size_t> largest_first() const {
-    std::vector<std::size_t> order(charts_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order = options_.only;
+    if (order.empty()) {
+      order.resize(charts_.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+    }
     std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) {
       const PlanarChart& shape = plan_.charts[i].shape;
       return static_cast<std::int64_t>(shape.width) * shape.height;
@@ -175,17 +190,19 @@ class Passes {
     return order;
   }
 
+  /// Of the charts that have nothing yet.
   void first_pass() {
-    order_ = largest_first();
     const Clock::time_point begin = Clock::now();
     parallel_for(order_.size(), [&](std::size_t k) {
       const CutChart& chart = plan_.charts[order_[k]];
       auto& refined = charts_[order_[k]];
-      refined.emplace(chart, *plan_.meshes[chart.shape.instance], irradiance_, light_.supersample);
-      refine(*refined, refined->next());
+      if (!refined)
+        refined.emplace(chart, *plan_.meshes[chart.shape.instance], irradiance_,
+                        light_.supersample);
+      if (refined->share() == 0) refine(*refined, refined->next());
     });
     double work = 0;
-    for (const auto& chart : charts_) work += chart->texels();
+    for (const std::size_t i : order_) work += charts_[i]->texels();
     seconds_per_work_ = since(begin) / std::max(work, 1.0);
   }
 
@@ -239,12 +256,14 @@ class Passes {
     LitCharts lit;
     double lights = 0;
     for (const auto& chart : charts_) {
+      if (!chart) continue;
       lit.points += chart->points_of_all() * chart->texels();
       lights += static_cast<double>(chart->extended_lights()) * chart->texels();
     }
     lit.points = lights > 0 ? lit.points / lights : 1;
     lit.charts.resize(charts_.size());
     parallel_for(charts_.size(), [&](std::size_t i) {
+      if (!charts_[i]) return;
       lit.charts[i] = charts_[i]->finish(surface_, light_);
       charts_[i].reset();
     });

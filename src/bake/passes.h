@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 #include "bake/baked_irradiance.h"
@@ -14,10 +15,14 @@ namespace penumbra::bake {
 struct PassOptions {
   float error = 0;  ///< of a chart's brightest irradiance; 0: all points are taken
   std::optional<std::chrono::steady_clock::time_point> deadline;
+  std::vector<std::size_t> only;  ///< of the plan's charts, these alone; empty: all
+  /// Asked when the work is cancelled. True: it ends as at a deadline, and cancel_requested is
+  /// false again. Null: never.
+  std::function<bool()> finish_early = {};
 };
 
 struct LitCharts {
-  std::vector<LitChart> charts;  ///< in the order of the plan
+  std::vector<LitChart> charts;  ///< in the order of the plan; empty where not asked for
   double points = 0;             ///< a light, on average over texels and extended lights
 };
 

@@ -53,17 +53,46 @@ double needed_bytes(const Plan& plan, const TextureOptions& options, double coar
          (options.in_passes ? pass_bytes * samples * texels : 0);
 }
 
-void check_memory(const Plan& plan, const TextureOptions& options) {
+/// How many times as large texels must be for every chart to fit into a page.
+double needed_by_pages(const Plan& plan) {
+  constexpr double most = largest_page - 2 * gutter;
+  double coarser = 0;
+  for (const CutChart& chart : plan.charts)
+    for (const Vec3& edge : {chart.shape.edge_x, chart.shape.edge_y})
+      if (!chart.shape.uv)
+        coarser = std::max(coarser, static_cast<double>(length(edge) / plan.texel_size) / most);
+  return coarser;
+}
+
+/// A texel size of three digits, not below `size`.
+std::string rounded_up(double size) {
+  const double step = std::pow(10, std::floor(std::log10(size)) - 2);
+  return fmt::format("{:.3g}", std::ceil(size / step * (1 - 1e-9)) * step);
+}
+
+/// Texels that a person asked for must fit into pages, all must into memory.
+void check_size(const Plan& plan, const TextureOptions& options) {
   const auto most = static_cast<double>(options.most_bytes);
-  const double needed = needed_bytes(plan, options, 1);
-  if (most == 0 || needed <= most) return;
-  double coarser = 1;
-  while (needed_bytes(plan, options, coarser) > 0.95 * most && coarser < 1e6) coarser *= 1.05;
+  const double needed = needed_bytes(plan, options, 1), by_pages = needed_by_pages(plan);
+  const bool exceeds_page = options.texel_size && by_pages > 1,
+             exceeds_memory = most > 0 && needed > most;
+  if (!exceeds_page && !exceeds_memory) return;
+  double coarser = exceeds_page ? by_pages : 1;
+  while (most > 0 && needed_bytes(plan, options, coarser) > 0.95 * most && coarser < 1e6)
+    coarser *= 1.05;
+  const std::string fits = rounded_up(plan.texel_size * coarser);
+  if (exceeds_page)
+    throw InputError(
+        fmt::format("--texel-size: texels of {:.3g} m are {:.0f} along a side of a surface, and a "
+                    "texture holds {}",
+                    plan.texel_size, std::ceil(by_pages * (largest_page - 2 * gutter)),
+                    largest_page - 2 * gutter),
+        fmt::format("give --texel-size {} or cut the surface into parts", fits));
   throw InputError(
       fmt::format("--texel-size: texels of {:.3g} m need {:.0f} MB of memory and {:.0f} MB may be "
                   "taken",
                   plan.texel_size, needed / 1e6, most / 1e6),
-      fmt::format("give --texel-size {:.3g}, or more by --max-memory", plan.texel_size * coarser));
+      fmt::format("give --texel-size {}, or more by --max-memory", fits));
 }
 
 ChartOptions chart_options(const Plan& plan) {
@@ -98,6 +127,19 @@ void cut(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adja
   }
 }
 
+/// Cutting into very many texels takes long: whether `finer` ones than the default fit is seen from
+/// charts of that first.
+void check_early(const Scene& scene, const std::vector<std::unique_ptr<Adjacency>>& adjacencies,
+                 const TextureOptions& options, float finer, Plan& plan) {
+  plan.texel_size = default_texel_size(plan);
+  cut(scene, adjacencies, plan);
+  plan.texel_size *= finer;
+  for (CutChart& chart : plan.charts) chart.texel_size *= finer;
+  check_size(plan, options);
+  plan.charts.clear();
+  plan.remarks = {};
+}
+
 }  // namespace
 
 std::uint64_t Plan::texel_count() const {
@@ -121,12 +163,15 @@ Plan make_plan(const Scene& scene, const TextureOptions& options) {
     backs[i] = has_back(scene, *plan.meshes[i], *adjacencies[i]);
   });
   plan.backs.assign(backs.begin(), backs.end());
-  plan.texel_size = options.texel_size.value_or(default_texel_size(plan));
+  const float by_itself = default_texel_size(plan), wanted = options.texel_size.value_or(by_itself);
+  if (wanted < by_itself / 4 && !options.existing_uv)
+    check_early(scene, adjacencies, options, wanted / by_itself, plan);
+  plan.texel_size = wanted;
   if (options.existing_uv)
     lay_out_by_uv(scene, adjacencies, chart_options(plan), options.power_of_two, plan);
   else
     cut(scene, adjacencies, plan);
-  check_memory(plan, options);
+  check_size(plan, options);
   return plan;
 }
 

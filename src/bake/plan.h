@@ -32,7 +32,8 @@ struct Plan {
 };
 
 /// Cuts all receivers into charts. Throws InputError where nothing receives, or, telling the texel
-/// size that would do, where texels need more than most_bytes. Keeps a reference to the scene.
+/// size that would do, where texels need more than most_bytes or, of a texel_size that is given,
+/// where a chart has more of them along a side than a page. Keeps a reference to the scene.
 Plan make_plan(const Scene& scene, const TextureOptions& options);
 
 }  // namespace penumbra::bake

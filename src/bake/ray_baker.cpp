@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bake/barycentric.h"
+#include "base/cancel.h"
 #include "geometry/embree_scene.h"
 #include "shadow/light_points.h"
 
@@ -37,12 +38,14 @@ class Packet {
 
 }  // namespace
 
-PointLight RayBaker::light(const Receiver& receiver, const SampledLight& light) const {
+/// Calls visit(number, arrived) for the light's samples in order.
+template <class Visit>
+void RayBaker::trace(const Receiver& receiver, const SampledLight& light,
+                     const Visit& visit) const {
   const Vec3 &p = receiver.position, &n = receiver.normal;
   Packet rays(p + n * world_.epsilon_at(p));
-  float whole_share = 0, whole_irradiance = 0;
-  PointLight sum;
   for (std::size_t first = 0; first < light.samples.size(); first += packet) {
+    if (first % 1024 == 0) throw_if_cancelled();
     const std::size_t count = std::min(packet, light.samples.size() - first);
     rays.clear();
     bool any = false;
@@ -61,20 +64,32 @@ PointLight RayBaker::light(const Receiver& receiver, const SampledLight& light) 
       rays.aim(i, far ? to : to / distance, t_max), any = true;
     }
     if (any) rays.trace(world_, light.own_instance);
-    for (std::size_t i = 0; i < count; ++i) {
-      const LightSample& s = light.samples[first + i];
-      const float share = share_of(light, s, p);
-      const float irradiance = irradiance_of(light, s, p, n);
-      whole_share += share, whole_irradiance += irradiance;
-      if (!rays.arrived(i)) continue;
-      sum.fraction += share, sum.irradiance += irradiance;
-    }
+    for (std::size_t i = 0; i < count; ++i) visit(first + i, rays.arrived(i));
   }
+}
+
+PointLight RayBaker::light(const Receiver& receiver, const SampledLight& light) const {
+  const Vec3 &p = receiver.position, &n = receiver.normal;
+  float whole_share = 0, whole_irradiance = 0;
+  PointLight sum;
+  trace(receiver, light, [&](std::size_t i, bool arrived) {
+    const float share = share_of(light, light.samples[i], p);
+    const float irradiance = irradiance_of(light, light.samples[i], p, n);
+    whole_share += share, whole_irradiance += irradiance;
+    if (!arrived) return;
+    sum.fraction += share, sum.irradiance += irradiance;
+  });
+  if (whole_irradiance > 0) sum.lit_part = std::min(sum.irradiance / whole_irradiance, 1.0f);
   if (light.is_ratio() && whole_irradiance > 0)
     sum.irradiance *= whole_irradiance_of(light, p, n) / whole_irradiance;
   sum.irradiance *= light.spot_part(p);
   sum.fraction = whole_share > 0 ? std::min(sum.fraction / whole_share, 1.0f) : 0;
   return sum;
+}
+
+void RayBaker::visible_samples(const Receiver& receiver, const SampledLight& light,
+                               std::span<std::uint8_t> out) const {
+  trace(receiver, light, [&](std::size_t i, bool arrived) { out[i] = arrived ? 1 : 0; });
 }
 
 Receiver RayBaker::receiver(const SurfacePoint& point) const {

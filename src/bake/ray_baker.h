@@ -15,6 +15,7 @@ namespace penumbra::bake {
 struct PointLight {
   float irradiance = 0;  ///< per unit emission
   float fraction = 0;    ///< visible fraction
+  float lit_part = 0;    ///< of the irradiance, were nothing hidden; without the cone of a spot
 };
 
 /// Immutable; thread-safe. Keeps references.
@@ -24,11 +25,17 @@ class RayBaker {
 
   /// Occluders above the receiver's horizon alone count, short of the samples.
   PointLight light(const Receiver& receiver, const SampledLight& light) const;
+  /// 1 for each sample that the receiver sees, 0 for the others.
+  void visible_samples(const Receiver& receiver, const SampledLight& light,
+                       std::span<std::uint8_t> out) const;
   /// Where the rays of a point begin and what bounds them: smooth surfaces by their vertex normals
   /// (receiver_of), so that facets draw no stripes at the terminator.
   Receiver receiver(const SurfacePoint& point) const;
 
  private:
+  template <class Visit>
+  void trace(const Receiver& receiver, const SampledLight& light, const Visit& visit) const;
+
   const World& world_;
 };
 

@@ -63,6 +63,13 @@ std::vector<bool> receivers_of(const Scene& scene, const std::vector<std::string
   return receives;
 }
 
+std::vector<float> samples_scales(const Scene& scene) {
+  std::vector<float> scales;
+  for (const Instance& instance : scene.instances)
+    scales.push_back(scene.objects[instance.object].samples_scale);
+  return scales;
+}
+
 bool has_back(const Scene& scene, const WorldMesh& mesh, const Adjacency& adjacency) {
   if (!scene.materials[mesh.instance().material].double_sided) return false;
   const bool is_body = adjacency.is_closed() && signed_volume(mesh) > 0;

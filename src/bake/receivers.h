@@ -9,6 +9,9 @@
 
 namespace penumbra::bake {
 
+/// By instance: Object::samples_scale.
+std::vector<float> samples_scales(const Scene& scene);
+
 /// By instance: true if its object receives light in textures. `names`: objects' names; empty: all
 /// but those whose file says "receives": false. Throws InputError for a name that no object has and
 /// where nothing is left.

@@ -59,7 +59,7 @@ TexelWeights weights_of(const Tile& tile, const SampledLight& light, const Light
   w.normal = sample.normal;
   if (light.kind == EmitterKind::direction) {
     w.first = {1, 0, 0};
-    if (quantity == BakeQuantity::irradiance)
+    if (quantity != BakeQuantity::visible_fraction)
       w.scale = sample.weight * std::max(0.0f, dot(sample.position, tile.normal));
     return w;
   }
@@ -94,12 +94,12 @@ std::optional<SampleView> view_of(const Occluders& occluders, const Tile& tile,
 }
 
 bool needs_whole(const SampledLight& light, BakeQuantity quantity) {
-  return quantity == BakeQuantity::visible_fraction || light.is_ratio();
+  return quantity != BakeQuantity::irradiance || light.is_ratio();
 }
 
 void finish(const Tile& tile, const SampledLight& light, BakeQuantity quantity,
             const TexelSums& whole, TexelSums& lit) {
-  const bool is_fraction = quantity == BakeQuantity::visible_fraction;
+  const bool is_fraction = quantity != BakeQuantity::irradiance;
   if (is_fraction) {
     normalise(lit, whole, nullptr);
   } else if (light.is_ratio()) {

@@ -10,7 +10,11 @@
 
 namespace penumbra::bake {
 
-enum class BakeQuantity : std::uint8_t { irradiance, visible_fraction };
+enum class BakeQuantity : std::uint8_t {
+  irradiance,
+  visible_fraction,
+  lit_part  ///< of the irradiance, were nothing hidden; without the cone of a spot
+};
 
 /// irradiance_of() and share_of() as functions of the texel.
 TexelWeights weights_of(const Tile& tile, const SampledLight& light, const LightSample& sample,
@@ -28,7 +32,7 @@ std::optional<SampleView> view_of(const Occluders& occluders, const Tile& tile,
 bool needs_whole(const SampledLight& light, BakeQuantity quantity);
 
 /// From the sums of the weights of samples that nothing hides to irradiance per unit emission, or
-/// to visible fractions.
+/// to fractions.
 void finish(const Tile& tile, const SampledLight& light, BakeQuantity quantity,
             const TexelSums& whole, TexelSums& lit);
 

@@ -5,6 +5,7 @@
 #include "bake/awkward_shapes.h"
 #include "bake/cost.h"
 #include "bake/sample_weights.h"
+#include "base/cancel.h"
 
 namespace penumbra::bake {
 
@@ -13,22 +14,35 @@ const TexelSums& TileBaker::bake(const Occluders& occluders, const Tile& tile,
                                  BakeQuantity quantity) {
   lit_.resize(tile.width, tile.height);
   if (light.samples.empty()) return lit_;
-  raster_.resize(tile.width, tile.height);
   const bool needs_whole = bake::needs_whole(light, quantity);
   if (needs_whole) whole_.resize(tile.width, tile.height);
-  const std::span<const LightSample> samples(light.samples);
-  const std::size_t batch = raster_cost(occluders, tile, light).batch;
-  for (std::size_t i = 0; i < samples.size(); i += batch)
-    add_samples(occluders, tile, own, light,
-                samples.subspan(i, std::min(batch, samples.size() - i)), quantity,
-                needs_whole ? &whole_ : nullptr);
+  TexelSums* whole = needs_whole ? &whole_ : nullptr;
+  for_samples(occluders, tile, own, light, [&](std::size_t i, bool above, const BitRaster* hidden) {
+    const TexelWeights weights = weights_of(tile, light, light.samples[i], quantity);
+    if (above)
+      accumulate(weights, hidden, lit_, whole);
+    else if (whole)
+      accumulate(weights, nullptr, *whole, nullptr);  // hidden, and counts as that
+  });
   finish(tile, light, quantity, whole_, lit_);
   return lit_;
 }
 
-void TileBaker::add_samples(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
-                            const SampledLight& light, std::span<const LightSample> samples,
-                            BakeQuantity quantity, TexelSums* whole) {
+void TileBaker::for_samples(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
+                            const SampledLight& light, const SampleVisitor& visit) {
+  if (light.samples.empty()) return;
+  raster_.resize(tile.width, tile.height);
+  const std::size_t batch = raster_cost(occluders, tile, light).batch;
+  for (std::size_t i = 0; i < light.samples.size(); i += batch) {
+    throw_if_cancelled();
+    visit_batch(occluders, tile, own, light, i, std::min(batch, light.samples.size() - i), visit);
+  }
+}
+
+void TileBaker::visit_batch(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
+                            const SampledLight& light, std::size_t first, std::size_t count,
+                            const SampleVisitor& visit) {
+  const std::span samples(&light.samples[first], count);
   const Shaft shaft(tile, light, samples, occluders);
   triangles_.clear(), masked_.clear(), spheres_.clear();
   if (!shaft.empty) {
@@ -36,15 +50,11 @@ void TileBaker::add_samples(const Occluders& occluders, const Tile& tile, const 
     for (const Sphere& s : occluders.spheres())
       if (shaft.meets(s.center, s.radius)) spheres_.push_back(s);
   }
-  for (const LightSample& sample : samples) {
-    const TexelWeights weights = weights_of(tile, light, sample, quantity);
-    if (!is_above(tile, light, sample)) {
-      // Below the horizon it is hidden, and counts as that.
-      if (whole) accumulate(weights, nullptr, *whole, nullptr);
-      continue;
-    }
-    const bool any = draw_shadow(occluders, tile, light, sample, shaft.receiver_epsilon);
-    accumulate(weights, any ? &raster_ : nullptr, lit_, whole);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool above = is_above(tile, light, samples[i]);
+    const bool any =
+        above && draw_shadow(occluders, tile, light, samples[i], shaft.receiver_epsilon);
+    visit(first + i, above, any ? &raster_ : nullptr);
   }
 }
 

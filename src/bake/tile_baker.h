@@ -1,6 +1,7 @@
 // One tile of a receiver, lit by one light after the other.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "bake/light_sampler.h"
@@ -19,10 +20,16 @@ class TileBaker {
   const TexelSums& bake(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
                         const SampledLight& light, BakeQuantity quantity);
 
+  /// Calls visit(number, above, hidden) for the light's samples in order: whether it is above the
+  /// horizon, and the bits of what hides it, null where nothing does. Good until the next call.
+  using SampleVisitor = std::function<void(std::size_t, bool, const BitRaster*)>;
+  void for_samples(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
+                   const SampledLight& light, const SampleVisitor& visit);
+
  private:
-  void add_samples(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
-                   const SampledLight& light, std::span<const LightSample> samples,
-                   BakeQuantity quantity, TexelSums* whole);
+  void visit_batch(const Occluders& occluders, const Tile& tile, const OwnTriangles& own,
+                   const SampledLight& light, std::size_t first, std::size_t count,
+                   const SampleVisitor& visit);
   /// Sets the bits of what hides the sample; false if nothing does.
   bool draw_shadow(const Occluders& occluders, const Tile& tile, const SampledLight& light,
                    const LightSample& sample, float receiver_epsilon);

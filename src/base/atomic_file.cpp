@@ -27,6 +27,10 @@ constexpr std::size_t kLongestStream = std::size_t{1} << 30;
 
 std::string reason() { return std::strerror(errno); }
 
+std::string part_name(const std::string& path) {
+  return path + ".part" + std::to_string(::getpid());
+}
+
 // Temporary files that are there now. Never destroyed: the process may end while they are in use.
 struct Unfinished {
   std::mutex mutex;
@@ -49,29 +53,52 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
     throw WorkError({path_}, "this is a folder", "name a file for the output");
   if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
     throw WorkError({path_}, "this is not an ordinary file", "choose another output");
-  temporary_ = path_ + ".part" + std::to_string(::getpid());
+  const fs::path here = folder.empty() ? fs::path(".") : folder;
   const std::lock_guard lock(unfinished().mutex);
-  const int fd = ::open(temporary_.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666);
+  file_ = ::open(here.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  if (file_ >= 0) {
+    temporary_ = "/proc/self/fd/" + std::to_string(file_);
+    if (::access(temporary_.c_str(), W_OK) == 0) return;
+    ::close(file_), file_ = -1;
+  }
+  part_ = temporary_ = part_name(path_);
+  const int fd = ::open(part_.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0)
     throw WorkError({path_}, "cannot be written (" + reason() + ")", "choose another output");
   ::close(fd);
-  unfinished().names.insert(temporary_);
+  unfinished().names.insert(part_);
 }
 
 AtomicFile::~AtomicFile() {
   const std::lock_guard lock(unfinished().mutex);
-  unfinished().names.erase(temporary_);
-  if (!committed_) ::unlink(temporary_.c_str());
+  if (file_ >= 0) ::close(file_);
+  if (part_.empty()) return;
+  unfinished().names.erase(part_);
+  ::unlink(part_.c_str());
+}
+
+// A name cannot be taken over from another file at once: for a moment it has one of its own.
+void AtomicFile::name_it() {
+  const std::string part = part_name(path_);
+  ::unlink(part.c_str());
+  const std::lock_guard lock(unfinished().mutex);
+  if (::linkat(AT_FDCWD, temporary_.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    throw WorkError({path_}, "cannot be written (" + reason() + ")", "choose another output");
+  part_ = part;
+  unfinished().names.insert(part_);
 }
 
 void AtomicFile::commit() {
-  const int fd = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  const int fd = file_ >= 0 ? ::dup(file_) : ::open(part_.c_str(), O_RDONLY | O_CLOEXEC);
   const bool flushed = fd >= 0 && ::fsync(fd) == 0;
   if (fd >= 0) ::close(fd);
-  if (!flushed || std::rename(temporary_.c_str(), path_.c_str()) != 0)
+  if (flushed && part_.empty()) name_it();
+  const std::lock_guard lock(unfinished().mutex);
+  if (!flushed || std::rename(part_.c_str(), path_.c_str()) != 0)
     throw WorkError({path_}, "cannot be written (" + reason() + ")",
                     "free some space or choose another output");
-  committed_ = true;
+  unfinished().names.erase(part_);
+  part_.clear();
 }
 
 void remove_unfinished_files() {

@@ -5,8 +5,10 @@
 
 namespace penumbra {
 
-/// Write to temporary_path(), then commit(). Without commit the destructor removes the file, so
-/// that a failure leaves an earlier file of that name untouched.
+/// Write to temporary_path(), then commit(). Without commit nothing of it is left, so that a
+/// failure leaves an earlier file of that name untouched. What is written has no name until then,
+/// so that a process that is killed leaves nothing either; where the file system knows no such
+/// files (O_TMPFILE) it is PATH.partNUMBER, which a killed process leaves.
 class AtomicFile {
  public:
   /// Checks that the folder exists and can be written to and that no device or folder has the name;
@@ -21,8 +23,11 @@ class AtomicFile {
   void commit();
 
  private:
+  void name_it();
+
   std::string path_, temporary_;
-  bool committed_ = false;
+  std::string part_;  ///< its name while it has one that is not path_; else empty
+  int file_ = -1;     ///< without a name
 };
 
 /// Removes what every AtomicFile of the process has written so far and not committed. For use right

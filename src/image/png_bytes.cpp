@@ -49,6 +49,13 @@ std::string encode_png(int width, int height, const std::uint8_t* rgba) {
   return encode(width, height, PNG_FORMAT_RGBA, rgba);
 }
 
+std::string encode_grey_png(const Image& image) {
+  std::vector<png_byte> codes(image.data.size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    codes[i] = static_cast<png_byte>(std::clamp(image.data[i], 0.0f, 1.0f) * 255 + 0.5f);
+  return encode(image.width, image.height, PNG_FORMAT_GRAY, codes.data());
+}
+
 std::string encode_linear_png(const Image& image, float white) {
   std::vector<png_uint_16> codes(image.data.size());
   for (std::size_t i = 0; i < codes.size(); ++i)

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "render/tile_point.h"
+#include "render/tile_visibility.h"
 
 namespace penumbra {
 
@@ -18,6 +18,14 @@ class KnownLight {
   /// The visible fraction in [0, 1]; negative where it is not known.
   virtual void visible_fractions(std::size_t light, std::span<const TilePoint> points,
                                  std::span<float> out) const = 0;
+  /// Where more is known than these two: what arrives at every points[i] with asked[i] != 0. False:
+  /// it is not, and nothing was written.
+  virtual bool arrivals(std::size_t light, std::span<const TilePoint> points,
+                        std::span<const std::uint8_t> asked, std::span<LightArrival> out) const {
+    static_cast<void>(light), static_cast<void>(points), static_cast<void>(asked);
+    static_cast<void>(out);
+    return false;
+  }
 };
 
 }  // namespace penumbra

@@ -62,10 +62,11 @@ void PointShader::shade(const DirectLight& lights, const Shadows& shadows, const
     radiance[i] = ambient * (points[i].shading.diffuse + points[i].shading.specular);
   for (std::size_t light = 0; light < lights.size(); ++light) {
     find_unshadowed(lights, light, horizon_of(shadows), observer != nullptr, points);
-    if (known)
-      look_up(*known, light, points);
-    else
+    if (known) {
+      if (!known->arrivals(light, points, asked_, arrivals_)) look_up(*known, light, points);
+    } else {
       tile_visibility(shadows, light, points, asked_, tile_width, arrivals_, light_points_, counts);
+    }
     add(lights.emission(light), points, radiance);
     if (observer) observer->arrived(light, points, arrivals_);
   }

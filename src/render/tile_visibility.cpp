@@ -14,6 +14,10 @@ struct Ratio {
     all += x;
     seen += visible ? x : 0.0f;
   }
+  void add(float x, float part) {
+    all += x;
+    seen += x * part;
+  }
   float value() const { return all > 0 ? seen / all : 0; }
 };
 
@@ -37,6 +41,30 @@ void fractions(const Shadows& shadows, std::size_t light, std::span<const TilePo
   }
 }
 
+/// seen(i): of point i, whether it is, or which part of it.
+template <class Seen>
+LightArrival arrival_of_points(std::span<const LightPoint> light_points, const ShadingPoint& point,
+                               const Seen& seen) {
+  const bool glossy = point.is_glossy();
+  const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
+  const float f0 = luminance(point.specular);
+  const float share = 1 / static_cast<float>(std::max<std::size_t>(light_points.size(), 1));
+  Ratio diffuse, lobe;
+  for (std::size_t i = 0; i < light_points.size(); ++i) {
+    const LightPoint& p = light_points[i];
+    const float nl = std::max(dot(point.normal, p.direction), 0.0f);
+    diffuse.add(p.weight * nl, seen(i));
+    if (!glossy || !(nl > 0)) continue;
+    const Glossy g = ggx(widened_alpha2(point.alpha, p.weight * share), nv, nl,
+                         dot(point.to_viewer, p.direction));
+    lobe.add(p.weight * (f0 * g.f0 + g.f90), seen(i));
+  }
+  LightArrival arrival;
+  arrival.diffuse = diffuse.value();
+  arrival.glossy = glossy ? lobe.value() : arrival.diffuse;
+  return arrival;
+}
+
 }  // namespace
 
 LightArrival arrival_of(const Visibility& seen, std::span<const LightPoint> light_points,
@@ -51,23 +79,13 @@ LightArrival arrival_of(const Visibility& seen, std::span<const LightPoint> ligh
 }
 
 LightArrival arrival_from(std::span<const LightPoint> light_points, const ShadingPoint& point) {
-  const bool glossy = point.is_glossy();
-  const float nv = std::max(dot(point.normal, point.to_viewer), 1e-3f);
-  const float f0 = luminance(point.specular);
-  const float share = 1 / static_cast<float>(std::max<std::size_t>(light_points.size(), 1));
-  Ratio diffuse, lobe;
-  for (const LightPoint& p : light_points) {
-    const float nl = std::max(dot(point.normal, p.direction), 0.0f);
-    diffuse.add(p.weight * nl, p.visible);
-    if (!glossy || !(nl > 0)) continue;
-    const Glossy g = ggx(widened_alpha2(point.alpha, p.weight * share), nv, nl,
-                         dot(point.to_viewer, p.direction));
-    lobe.add(p.weight * (f0 * g.f0 + g.f90), p.visible);
-  }
-  LightArrival arrival;
-  arrival.diffuse = diffuse.value();
-  arrival.glossy = glossy ? lobe.value() : arrival.diffuse;
-  return arrival;
+  return arrival_of_points(light_points, point,
+                           [&](std::size_t i) { return light_points[i].visible; });
+}
+
+LightArrival arrival_from(std::span<const LightPoint> light_points, std::span<const float> seen,
+                          const ShadingPoint& point) {
+  return arrival_of_points(light_points, point, [&](std::size_t i) { return seen[i]; });
 }
 
 void tile_visibility(const Shadows& shadows, std::size_t light, std::span<const TilePoint> points,

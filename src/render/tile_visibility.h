@@ -32,6 +32,10 @@ void tile_visibility(const Shadows& shadows, std::size_t light, std::span<const 
 /// The two ratios over a set of light points; 0 where no point of the light is above the horizon.
 LightArrival arrival_from(std::span<const LightPoint> light_points, const ShadingPoint& point);
 
+/// The same with the part of each point that is seen, in [0, 1], instead of LightPoint::visible.
+LightArrival arrival_from(std::span<const LightPoint> light_points, std::span<const float> seen,
+                          const ShadingPoint& point);
+
 /// The same for what Shadows::light_points() answered: without points all or nothing arrives.
 LightArrival arrival_of(const Visibility& seen, std::span<const LightPoint> light_points,
                         const ShadingPoint& point);

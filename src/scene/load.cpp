@@ -70,8 +70,9 @@ Scene read_as(const std::string& path, std::span<const Format> known, const Load
 
 Scene load_scene(const std::string& path, const LoadOptions& options) {
   Scene scene = read_as(path, formats, options);
-  // Only scene files of our own say what ambient light there is.
-  scene.ambient_is_automatic = !lower_case_name(path).ends_with(".json");
+  // Only scene files of our own and what is baked of them say what ambient light there is.
+  scene.ambient_is_automatic =
+      !lower_case_name(path).ends_with(".json") && !scene.stores_visibility;
   finish_scene(scene, path);
   if (options.add_missing_camera_and_light) add_missing_camera_and_light(scene);
   return scene;

@@ -83,7 +83,8 @@ struct Sphere {
 /// What a person calls one thing: composites other than min act between objects.
 struct Object {
   std::string name;
-  bool receives = true;  ///< baking: its surfaces hold light and shadows in textures
+  bool receives = true;     ///< baking: its surfaces hold light and shadows in textures
+  float samples_scale = 1;  ///< baking: multiplies the points on each light for its surfaces
 };
 
 enum class LightType : std::uint8_t { point, sphere, disk, rect, segment, sun, mesh };
@@ -139,6 +140,7 @@ struct Scene {
   Vec3 background{0, 0, 0};            ///< radiance where a ray meets nothing
   std::vector<double> keyframe_times;  ///< of all that moves, seconds, ascending; empty: nothing
   std::optional<float> exposure_ev;    ///< that the file asks to be shown with; none = by renderers
+  bool stores_visibility = false;      ///< glTF: the file holds what is seen of its lights, baked
   LoadReport report;
 };
 

@@ -119,6 +119,10 @@ constexpr std::string_view before_sdf = R"json({
       "description": "Whether bake gives it textures of light and shadow.",
       "type": "boolean", "default": true
     },
+    "samples_scale": {
+      "description": "Multiplies the points that bake takes on each light for its surfaces.",
+      "type": "number", "minimum": 0.001, "maximum": 1000, "default": 1
+    },
     "quad_object": {
       "additionalProperties": false,
       "required": ["type", "corner", "edge_u", "edge_v", "material"],
@@ -128,6 +132,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "corner": {"$ref": "#/$defs/point"},
         "edge_u": {"$ref": "#/$defs/nonzero_vector"},
         "edge_v": {"$ref": "#/$defs/nonzero_vector"},
@@ -143,6 +148,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "center": {"$ref": "#/$defs/point"},
         "radius": {"$ref": "#/$defs/positive"},
         "material": {"$ref": "#/$defs/text"}
@@ -157,6 +163,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "min": {"$ref": "#/$defs/point"},
         "max": {"$ref": "#/$defs/point"},
         "material": {"$ref": "#/$defs/text"}
@@ -171,6 +178,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "vertices": {"type": "array", "items": {"$ref": "#/$defs/point"}, "minItems": 3, "maxItems": 1000},
         "material": {"$ref": "#/$defs/text"}
       }
@@ -184,6 +192,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"},
         "transform": {"$ref": "#/$defs/transform"},
         "material": {"$ref": "#/$defs/text"}
@@ -198,6 +207,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "root": {"$ref": "#/$defs/sdf_node"},
         "material": {"$ref": "#/$defs/text", "description": "Of nodes without their own."}
       }
@@ -211,6 +221,7 @@ constexpr std::string_view before_sdf = R"json({
         "keyframes": {"$ref": "#/$defs/keyframes"},
         "interpolation": {"$ref": "#/$defs/interpolation"},
         "receives": {"$ref": "#/$defs/receives"},
+        "samples_scale": {"$ref": "#/$defs/samples_scale"},
         "file": {"$ref": "#/$defs/file"}
       }
     },

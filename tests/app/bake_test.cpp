@@ -278,10 +278,10 @@ TEST_F(BakeCommandTest, WrongCallsAreRefused) {
     EXPECT_THAT(wrong.err, ::testing::StartsWith("penumbra: --time-limit: "));
   }
   const Outcome tight =
-      bake({"--texel-size", "0.001", "--max-memory", "40", "-q"}, folder / "b.glb");
+      bake({"--texel-size", "0.002", "--max-memory", "40", "-q"}, folder / "b.glb");
   EXPECT_EQ(tight.status, 2);
   EXPECT_THAT(tight.err, ::testing::MatchesRegex(
-                             "penumbra: --texel-size: texels of 0.001 m need [0-9]+ MB of memory "
+                             "penumbra: --texel-size: texels of 0.002 m need [0-9]+ MB of memory "
                              "and 40 MB may be taken; give --texel-size [0-9.]+, or more by "
                              "--max-memory\n"));
   EXPECT_EQ(folder.count(), 1);
@@ -327,17 +327,155 @@ TEST_F(BakeCommandTest, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_THAT(outcome.err, ::testing::Not(::testing::HasSubstr("bake:")));
 }
 
-TEST_F(BakeCommandTest, CtrlCStopsWithinASecondAndLeavesNothing) {
-  Running running(PENUMBRA_PROGRAM, {"bake", scene, "-o", folder / "b.glb", "--texel-size", "0.004",
-                                     "--light-samples", "4096", "--max-memory", "4000"});
-  ::usleep(500'000);
+/// A bake that takes long, once it lights its charts.
+class LongBake {
+ public:
+  LongBake(const std::string& scene, const std::string& output,
+           const std::vector<std::string>& more = {})
+      : running_(PENUMBRA_PROGRAM, words(scene, output, more)) {
+    for (int i = 0; i < 2000 && running_.said().find("build: ") == std::string::npos; ++i)
+      ::usleep(10'000);
+    ::usleep(700'000);
+  }
+  void send(int signal) { ::kill(running_.id(), signal); }
+  Outcome outcome() { return running_.outcome(); }
+
+ private:
+  static std::vector<std::string> words(const std::string& scene, const std::string& output,
+                                        const std::vector<std::string>& more) {
+    std::vector<std::string> all{
+        "bake", scene, "-o", output, "--texel-size", "0.03", "--light-samples", "60000"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Running running_;
+};
+
+TEST_F(BakeCommandTest, CtrlCLeavesWhatThereIs) {
+  const std::vector<std::vector<std::string>> ways{{}, {"--error", "0.0001"}};
+  ASSERT_EQ(render(scene, folder / "truth.png", "area").status, 0);
+  const Image truth = read_png(folder / "truth.png");
+  for (const auto& way : ways) {
+    LongBake bake(scene, folder / "b.glb", way);
+    bake.send(SIGINT);
+    const Outcome outcome = bake.outcome();
+    EXPECT_EQ(outcome.status, 130) << outcome.err;
+    EXPECT_THAT(outcome.err, ::testing::HasSubstr("warning: stopped early: "));
+    ASSERT_EQ(render(folder / "b.glb", folder / "b.png", "none").status, 0);
+    // On a busy machine that is the first pass: hard shadows of one point.
+    EXPECT_LT(differing(read_png(folder / "b.png"), truth), 0.4);
+    fs::remove(folder / "b.glb"), fs::remove(folder / "b.png");
+  }
+  EXPECT_EQ(folder.count(), 2);
+}
+
+TEST_F(BakeCommandTest, ASecondCtrlCEndsAtOnceAndLeavesNothing) {
+  LongBake bake(scene, folder / "b.glb");
   const auto begin = std::chrono::steady_clock::now();
-  ::kill(running.id(), SIGINT);
-  const Outcome outcome = running.outcome();
+  bake.send(SIGINT);
+  ::usleep(1000);
+  bake.send(SIGINT);
+  const Outcome outcome = bake.outcome();
   const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(outcome.status, 130) << outcome.err;
   EXPECT_LT(waited.count(), 1.5);
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(BakeCommandTest, KilledAtAnyTimeItLeavesTheOldFileOrAWholeNewOne) {
+  const std::string output = folder / "b.glb";
+  ASSERT_EQ(bake({"--texel-size", "0.05", "-q"}, output).status, 0);
+  const std::string whole = read_file(output);
+  for (int wait = 0; wait < 400'000; wait += 25'000) {
+    write_file(output, "the old one");
+    Running running(PENUMBRA_PROGRAM, {"bake", scene, "-o", output, "--light-samples", "64",
+                                       "--texel-size", "0.05", "-q"});
+    ::usleep(static_cast<useconds_t>(wait));
+    ::kill(running.id(), SIGKILL);
+    running.outcome();
+    const std::string left = read_file(output);
+    EXPECT_TRUE(left == "the old one" || left == whole) << "after " << wait << " µs";
+    EXPECT_EQ(folder.count(), 2) << "after " << wait << " µs";
+  }
+}
+
+TEST_F(BakeCommandTest, TexelsThatAreTooManyForAPageAreRefused) {
+  const Outcome outcome = bake({"--texel-size", "0.0001", "-q"}, folder / "b.glb");
+  expect_refused(outcome, 2,
+                 "--texel-size: texels of 0.0001 m are 60000 along a side of a surface, and a "
+                 "texture holds 4088; give --texel-size " +
+                     outcome.err.substr(outcome.err.find("give --texel-size ") + 18,
+                                        outcome.err.find(" or cut") -
+                                            outcome.err.find("give --texel-size ") - 18) +
+                     " or cut the surface into parts");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST_F(BakeCommandTest, MemoryDoesNotGrowWithTheNumberOfSamples) {
+  const auto peak = [&](const char* samples) {
+    EXPECT_EQ(bake({"--texel-size", "0.02", "--light-samples", samples, "--threads", "1", "--stats",
+                    folder / "s.json", "-q"},
+                   folder / "b.glb")
+                  .status,
+              0);
+    const std::string stats = read_file(folder / "s.json");
+    const std::size_t at = stats.find("\"peak_bytes\"");
+    EXPECT_NE(at, stats.npos) << stats;
+    return std::stod(stats.substr(stats.find(':', at) + 1));
+  };
+  EXPECT_LT(peak("512"), 1.2 * peak("8"));
+}
+
+TEST_F(BakeCommandTest, StoredVisibilityIsShownByRender) {
+  ASSERT_EQ(render(scene, folder / "truth.png", "area").status, 0);
+  const Image truth = read_png(folder / "truth.png");
+  for (const char* what : {"visibility", "samples"}) {
+    const Outcome outcome = bake({"--store", what, "--texel-size", "0.03", "-q"}, folder / "b.glb");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Outcome shown =
+        penumbra({"render", folder / "b.glb", "-o", folder / "b.png", "--size", "160x90"});
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    EXPECT_THAT(shown.err, ::testing::HasSubstr("stored in the file"));
+    // The polygon does not receive.
+    EXPECT_LT(differing(read_png(folder / "b.png"), truth), 0.03) << what;
+  }
+}
+
+TEST_F(BakeCommandTest, StoredLightsMayChangeTheirColours) {
+  ASSERT_EQ(bake({"--store", "visibility", "--texel-size", "0.05", "-q"}, folder / "b.glb").status,
+            0);
+  const std::vector<std::string> words{"--size", "160x90",         "--exposure", "0",
+                                       "-q",     "--light-factor", "0=1,0.5,0.1"};
+  std::vector<std::string> stored{"render", folder / "b.glb", "-o", folder / "b.png"},
+      traced{"render", folder / "b.glb", "-o", folder / "t.png", "--shadows", "area"};
+  for (auto* all : {&stored, &traced}) {
+    all->insert(all->end(), words.begin(), words.end());
+    ASSERT_EQ(penumbra(*all).status, 0);
+  }
+  EXPECT_LT(differing(read_png(folder / "b.png"), read_png(folder / "t.png")), 0.03);
+  for (const auto& [factor, line] :
+       {std::pair{"key=2", "--light-factor: the scene has no light 'key'"},
+        std::pair{"0=-1", "--light-factor: '0=-1' is not one or three numbers from 0 to 1e6"},
+        std::pair{"2", "--light-factor: '2' names no light"}}) {
+    const Outcome wrong =
+        penumbra({"render", scene, "-o", folder / "w.png", "--light-factor", factor, "-q"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, ::testing::StartsWith("penumbra: " + std::string(line)));
+  }
+  const Outcome added = penumbra(
+      {"render", folder / "b.glb", "-o", folder / "w.png", "--light", "sphere:0,2,0,0.1,5", "-q"});
+  EXPECT_EQ(added.status, 2);
+  EXPECT_THAT(added.err, ::testing::HasSubstr("is not stored in the file"));
+}
+
+TEST_F(BakeCommandTest, WhatBelongsToRadianceIsRefusedWithAnotherStore) {
+  expect_refused(bake({"--store", "samples", "--hdr"}, folder / "b.glb"), 2,
+                 "--hdr: it belongs to --store radiance; leave it or --store out");
+  expect_refused(bake({"--store", "samples", "--error", "0.1"}, folder / "b.glb"), 2,
+                 "--error: it belongs to --store radiance; leave it or --store out");
+  expect_refused(bake({"--store", "bits"}, folder / "b.glb"), 2,
+                 "--store: 'bits' is unknown; did you mean samples? There are radiance, "
+                 "visibility or samples");
 }
 
 }  // namespace

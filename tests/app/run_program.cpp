@@ -2,16 +2,24 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace penumbra::test {
 namespace {
 
-std::string contents(int file) {
-  std::string text(static_cast<std::size_t>(::lseek(file, 0, SEEK_END)), '\0');
+std::string read(int file) {
+  struct stat status {};
+  ::fstat(file, &status);
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
   const ssize_t size = ::pread(file, text.data(), text.size(), 0);
   text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  return text;
+}
+
+std::string contents(int file) {
+  const std::string text = read(file);
   ::close(file);
   return text;
 }
@@ -36,6 +44,8 @@ Running::Running(const std::string& program, const std::vector<std::string>& arg
   if (prepare) prepare();
   become(program, arguments);
 }
+
+std::string Running::said() const { return read(err_); }
 
 Outcome Running::outcome() {
   int status = 0;

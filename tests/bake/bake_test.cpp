@@ -258,11 +258,22 @@ TEST_F(BakeTest, IsTheSameAtAnyNumberOfThreads) {
   EXPECT_EQ(bytes(1), bytes(3));
 }
 
+TEST_F(BakeTest, TexelsBeyondAPageAreRefusedWithASizeThatFits) {
+  for (const std::uint64_t most : {0, 50'000'000}) {
+    textures_.texel_size = 0.0001f;
+    textures_.most_bytes = most;
+    const std::string error = error_of_plan(), words = "give --texel-size ";
+    EXPECT_THAT(error, ::testing::HasSubstr("and a texture holds 4088; " + words));
+    textures_.texel_size = std::stof(error.substr(error.find(words) + words.size()));
+    EXPECT_EQ(error_of_plan(), "no error") << *textures_.texel_size;
+  }
+}
+
 TEST_F(BakeTest, TooMuchMemoryIsRefusedWithATexelSizeThatFits) {
-  textures_.texel_size = 0.001f;
+  textures_.texel_size = 0.002f;
   textures_.most_bytes = 50'000'000;
   const std::string error = error_of_plan();
-  EXPECT_THAT(error, ::testing::StartsWith("--texel-size: texels of 0.001 m need "));
+  EXPECT_THAT(error, ::testing::StartsWith("--texel-size: texels of 0.002 m need "));
   const std::string words = "give --texel-size ";
   const auto at = error.find(words);
   ASSERT_NE(at, error.npos);

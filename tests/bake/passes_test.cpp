@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 
 #include "bake/bake_scenes.h"
+#include "base/cancel.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "render/direct_light.h"
 
@@ -189,6 +192,46 @@ TEST_F(PassesTest, NeedMoreMemory) {
   EXPECT_NO_THROW(make_plan(scene_, textures_));
   textures_.in_passes = true;
   EXPECT_ANY_THROW(make_plan(scene_, textures_));
+}
+
+/// Asks to stop after some progress, as Ctrl-C does.
+class Interrupting final : public Progress {
+ public:
+  explicit Interrupting(int calls) : left_(calls) {}
+  void advance(std::uint64_t) override {
+    if (--left_ == 0) cancel_requested = true;
+  }
+
+ private:
+  std::atomic<int> left_;
+};
+
+TEST_F(PassesTest, AnInterruptLeavesTheTrueMeanSoFar) {
+  add_plate();
+  test::add_quad(scene_, {-2, 0, -2}, {4, 0, 0}, {0, 2, 0});
+  const Plan plan = make_plan(scene_, textures_);
+  const World world(scene_, {.cone_tree = false});
+  const BakedIrradiance irradiance(world, samples_);
+  const MaterialLookup materials(scene_);
+  const double expected = mean(truth(1024));
+  PassOptions options;
+  options.finish_early = [] { return cancel_requested.exchange(false); };
+  for (const int calls : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    Interrupting progress(calls);
+    const LitCharts found =
+        light_in_passes(plan, irradiance, {scene_, materials, {}}, light_, options, progress);
+    EXPECT_FALSE(cancel_requested);
+    EXPECT_LT(found.points, 250) << calls;
+    EXPECT_GE(found.points, 1) << calls;
+    for (const LitChart& chart : found.charts) ASSERT_TRUE(chart.has_texels());
+    EXPECT_NEAR(mean(found.charts[0].texels.value), expected, 0.3 * expected) << calls;
+  }
+  options.finish_early = nullptr;
+  Interrupting progress(2);
+  EXPECT_THROW(
+      light_in_passes(plan, irradiance, {scene_, materials, {}}, light_, options, progress),
+      Cancelled);
+  cancel_requested = false;
 }
 
 }  // namespace

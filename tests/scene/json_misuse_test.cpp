@@ -166,7 +166,7 @@ TEST(JsonMisuse, Spheres) {
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "flor"})",
            R"(2:66: unknown material "flor"; did you mean "floor"?)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "raduis": 1, "material": "floor"})",
-           R"(2:41: unknown key "raduis" in a sphere object; did you mean "radius"? (known: type, name, receives, keyframes, interpolation, center, radius, material))"},
+           R"(2:41: unknown key "raduis" in a sphere object; did you mean "radius"? (known: type, name, receives, samples_scale, keyframes, interpolation, center, radius, material))"},
           {R"({"type": "sphere", "center": [0, 0, 0], "material": "floor"})",
            R"(2:1: missing key "radius" in a sphere object; add it)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1})",
@@ -187,8 +187,10 @@ TEST(JsonMisuse, Spheres) {
            R"(2:30: "center" has 4 entries instead of 3; give [x, y, z], three numbers of size at most 1e9)"},
           {R"({"type": "sphere", "receives": 1, "center": [0, 0, 0], "radius": 1, "material": "floor"})",
            R"(2:32: "receives" is a number; give true or false)"},
+          {R"({"type": "sphere", "samples_scale": 0, "center": [0, 0, 0], "radius": 1, "material": "floor"})",
+           R"(2:37: "samples_scale" is 0; give a number from 0.001 to 1000)"},
           {R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "floor", "recieves": false})",
-           R"(2:75: unknown key "recieves" in a sphere object; did you mean "receives"? (known: type, name, receives, keyframes, interpolation, center, radius, material))"},
+           R"(2:75: unknown key "recieves" in a sphere object; did you mean "receives"? (known: type, name, receives, samples_scale, keyframes, interpolation, center, radius, material))"},
       });
 }
 

@@ -24,6 +24,8 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   pid_t id() const { return id_; }
+  /// What it has said on stderr so far.
+  std::string said() const;
   /// Waits until it has ended.
   Outcome outcome();
 

@@ -91,11 +91,11 @@ void GlBaker::irradiance(const PlanarChart& chart, std::span<const SampledLight>
   });
 }
 
-void GlBaker::visible_fractions(const PlanarChart& chart, const SampledLight& light,
-                                std::span<float> out) const {
+void GlBaker::fractions(const PlanarChart& chart, const SampledLight& light, BakeQuantity quantity,
+                        std::span<float> out) const {
   const OwnTriangles own(chart);
   for_tiles(chart, most_tile_side, most_tile_side, [&](const Tile& tile) {
-    const TexelSums sums = bake(tile, own, light, BakeQuantity::visible_fraction);
+    const TexelSums sums = bake(tile, own, light, quantity);
     float* to = &out[first_texel(chart, tile)];
     for (int j = 0; j < tile.height; ++j, to += chart.width)
       for (int i = 0; i < tile.width; ++i) to[i] = std::min(sums.row(j)[i], 1.0f);

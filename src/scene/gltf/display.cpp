@@ -35,9 +35,16 @@ std::optional<double> exposure_of(const JsonDocument& document) {
 
 void read_display(const JsonDocument& document, Scene& scene) {
   if (const auto ev = exposure_of(document)) scene.exposure_ev = to_float(*ev);
-  const Json::Value background = display_of(document)["background"];
-  if (!is_radiance(background)) return;
-  for (int i = 0; i < 3; ++i) scene.background[i] = to_float(background[i].asDouble());
+  const Json::Value display = display_of(document);
+  scene.stores_visibility = display["store"].isObject();
+  const auto read = [&](const char* name, Vec3& out) {
+    const Json::Value& value = display[name];
+    if (!is_radiance(value)) return false;
+    for (int i = 0; i < 3; ++i) out[i] = to_float(value[i].asDouble());
+    return true;
+  };
+  read("background", scene.background);
+  read("ambient", scene.ambient);
 }
 
 }  // namespace penumbra::gltf

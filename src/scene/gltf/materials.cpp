@@ -6,6 +6,7 @@
 
 #include "scene/gltf/display.h"
 #include "scene/gltf/mirror.h"
+#include "scene/gltf/own_material.h"
 #include "scene/gltf/values.h"
 
 namespace penumbra::gltf {
@@ -63,6 +64,9 @@ std::vector<Material> read_materials(Document& document, Textures& textures) {
     out.name = in.name;
     out.double_sided = in.doubleSided;
     read_metallic_roughness(in.pbrMetallicRoughness, textures, out);
+    read_own_material(
+        document.json().root()["materials"][static_cast<Json::ArrayIndex>(materials.size() - 1)],
+        out);
     read_emission(in, textures, out);
     read_unlit(in, exposure_of(document.json()), out);
     const std::string name =

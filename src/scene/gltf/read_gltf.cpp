@@ -44,6 +44,20 @@ bool is_cut_away(const Material& material) {
          material.alpha < *material.alpha_cutoff;
 }
 
+/// `extras.samples_scale` of a node, 1 without it.
+float samples_scale(const Document& document, std::size_t node) {
+  const Json::Value& extras =
+      document.json().root()["nodes"][static_cast<Json::ArrayIndex>(node)]["extras"];
+  if (!extras.isObject() || !extras.isMember("samples_scale")) return 1;
+  const Json::Value& scale = extras["samples_scale"];
+  if (!scale.isNumeric() || !(scale.asDouble() >= 1e-3 && scale.asDouble() <= 1e3))
+    throw document.json().error(
+        fmt::format("nodes[{}].extras.samples_scale", node),
+        scale.isNumeric() ? fmt::format("it is {:g}", scale.asDouble()) : "it is no number",
+        "give a number from 0.001 to 1000");
+  return to_float(scale.asDouble());
+}
+
 /// Fills meshes, instances and objects of a scene from the nodes.
 class Builder {
  public:
@@ -106,6 +120,7 @@ void Builder::add_object(std::size_t i) {
   Object& object = scene_.objects.emplace_back();
   object.name = use_mesh ? mesh : node_name(document_, i);
   object.receives = flag(node.extras, "receives").value_or(true);
+  object.samples_scale = samples_scale(document_, i);
 }
 
 void Builder::add_node(std::size_t i) {

@@ -119,6 +119,11 @@ float angular_diameter_deg(const At& at) {
   return static_cast<float>(number(at, range));
 }
 
+float samples_scale(const At& at) {
+  static const Range range{1e-3, 1e3, "a number from 0.001 to 1000"};
+  return static_cast<float>(number(at, range));
+}
+
 Vec3 point(const At& at) { return Vec3(triple(at, in_space())); }
 
 Vec3 nonzero_vector(const At& at) {

@@ -49,6 +49,8 @@ Vec3 albedo_or_grey(const At& at);  ///< the same, or one number for all three
 Vec3d angles_deg(const At& at);     ///< [x, y, z]
 Vec3d scale(const At& at);          ///< [x, y, z] or one number; none within ±1e-12
 
+float samples_scale(const At& at);  ///< 0.001 to 1000
+
 bool flag(const At& at);  ///< true or false
 
 std::string text(const At& at);       ///< a string without control characters

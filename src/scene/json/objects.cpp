@@ -30,6 +30,7 @@ void read_objects(Builder& builder, const Json::Value& objects) {
     Object& object = scene.objects.emplace_back();
     object.name = name_of(reader, index);
     object.receives = reader.optional("receives", flag, true);
+    object.samples_scale = reader.optional("samples_scale", samples_scale, 1.0f);
     know_keyframes(reader);
     read(builder, reader, static_cast<std::uint32_t>(index));
   }
