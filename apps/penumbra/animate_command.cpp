@@ -18,6 +18,7 @@
 #include "scene/extent.h"
 #include "scene/turntable.h"
 #include "stats.h"
+#include "stored_picture.h"
 
 namespace penumbra::app {
 namespace {
@@ -114,6 +115,7 @@ class Animation {
     a.render.exposure_ev = exposure_;
     if (!is_drawn || needs_exposure) {
       Scene scene = prepare_scene(a, quiet_);
+      prefer_stored(a, scene, quiet_);
       a.render.camera = chosen_camera(scene, arguments_.camera);
       turn(scene, a.render.camera, frame);
       const Picture picture = make_picture(a, scene, quiet_);
@@ -140,11 +142,12 @@ class Animation {
 
   void join() const {
     console_.start("film", 0);
-    make_film(pattern_, frames_, speed(), arguments_.output);
+    const std::filesystem::path folder = std::filesystem::path(names_->of(0)).parent_path();
+    make_film(pattern_, frames_, speed(), folder.string(), arguments_.output);
     std::error_code ignored;
     for (int frame = 0; frame < frames_; ++frame)
       std::filesystem::remove(names_->of(frame), ignored);
-    std::filesystem::remove(std::filesystem::path(names_->of(0)).parent_path(), ignored);
+    std::filesystem::remove(folder, ignored);
     console_.finish();
   }
 

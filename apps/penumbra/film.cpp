@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "outputs.h"
 
@@ -65,9 +64,9 @@ void check_ffmpeg() {
 }
 
 void make_film(const std::string& pattern, int frames, double frames_per_second,
-               const std::string& film) {
+               const std::string& folder, const std::string& film) {
   const Container& container = *container_of(film);
-  AtomicFile file(film);
+  const std::string unfinished = (std::filesystem::path(folder) / "film").string();
   std::vector<std::string> words{"ffmpeg",
                                  "-y",
                                  "-nostdin",
@@ -87,11 +86,16 @@ void make_film(const std::string& pattern, int frames, double frames_per_second,
     for (const char* word : {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"})
       words.emplace_back(word);
   for (const char* word : {"-f", container.name}) words.emplace_back(word);
-  words.push_back(file.temporary_path());
-  if (const int status = run(words); status != 0)
+  words.push_back(unfinished);
+  std::error_code error;
+  if (const int status = run(words); status != 0) {
+    std::filesystem::remove(unfinished, error);
     throw WorkError({film}, fmt::format("ffmpeg ended with {}", status),
                     "see what it says above; the frames are kept");
-  file.commit();
+  }
+  std::filesystem::rename(unfinished, film, error);
+  if (error)
+    throw WorkError({film}, "cannot be written: " + error.message(), "take it from " + unfinished);
 }
 
 }  // namespace penumbra::app

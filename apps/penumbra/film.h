@@ -11,9 +11,9 @@ bool is_film(const std::string& file);
 /// Throws InputError if there is no ffmpeg.
 void check_ffmpeg();
 
-/// Joins PNG frames named by `pattern` (as ffmpeg takes it, numbered from 0) to a film. Throws
-/// WorkError; then `film` is as it was before.
+/// Joins PNG frames named by `pattern` (as ffmpeg takes it, numbered from 0) to a film, which is
+/// made in `folder` (on the same disk) first. Throws WorkError; then `film` is as it was before.
 void make_film(const std::string& pattern, int frames, double frames_per_second,
-               const std::string& film);
+               const std::string& folder, const std::string& film);
 
 }  // namespace penumbra::app

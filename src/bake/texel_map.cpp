@@ -71,20 +71,23 @@ Place nearest(const FlatTriangle& t, const Vec2& p) {
   return best;
 }
 
-// Calls visit(texel, centre) for those whose centres are within `reach` of the triangle's box.
+// Calls visit(texel, centre) for those whose centres are within `reach` of the triangle's box; of a
+// chart without area, where coordinates are no numbers, for all.
 template <class Visit>
 void for_texels_near(const PlanarChart& chart, const FlatTriangle& t, float reach,
                      const Visit& visit) {
   const auto [x0, x1] = std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x});
   const auto [y0, y1] = std::minmax({t.corner[0].y, t.corner[1].y, t.corner[2].y});
-  const auto first = [&](float lo) {
-    return static_cast<int>(std::ceil(std::max(lo - reach - 0.5f, 0.0f)));
+  const auto first = [&](float lo, int count) {
+    const float at = std::min(static_cast<float>(count), std::max(0.0f, lo - reach - 0.5f));
+    return static_cast<int>(std::ceil(at));
   };
   const auto last = [&](float hi, int count) {
-    return static_cast<int>(std::floor(std::min(hi + reach - 0.5f, static_cast<float>(count - 1))));
+    const float at = std::min(static_cast<float>(count - 1), hi + reach - 0.5f);
+    return static_cast<int>(std::floor(std::max(-1.0f, at)));
   };
-  for (int j = first(y0); j <= last(y1, chart.height); ++j)
-    for (int i = first(x0); i <= last(x1, chart.width); ++i)
+  for (int j = first(y0, chart.height); j <= last(y1, chart.height); ++j)
+    for (int i = first(x0, chart.width); i <= last(x1, chart.width); ++i)
       visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(chart.width) +
                 static_cast<std::size_t>(i),
             Vec2{static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f});

@@ -20,6 +20,10 @@ namespace penumbra {
 /// there.
 void finish_scene(Scene& scene, const std::string& file);
 
+/// True for a triangle without area, as far as float coordinates can tell: the rounding of the
+/// corners could have made all of it, or its square is too small for a float.
+bool has_no_area(const Vec3& p, const Vec3& q, const Vec3& r);
+
 /// What shows a scene that has no end: from (3.2, 2.6, 4.4) to (0, 0.4, 0), 40 degrees high.
 Camera default_view();
 /// A sun of 6 degrees for it, irradiance π.

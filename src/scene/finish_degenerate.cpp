@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "scene/finish.h"
 #include "scene/finish_steps.h"
 
 namespace penumbra {
@@ -16,8 +17,8 @@ Vec3d cross_error(const Vec3d& e, const Vec3d& f, const Vec3d& error) {
           error.x * s.y + error.y * s.x};
 }
 
-/// No area, as far as float coordinates can tell: the rounding of the corners could have made all
-/// of it, or its square is too small for a float.
+}  // namespace
+
 bool has_no_area(const Vec3& p, const Vec3& q, const Vec3& r) {
   const Vec3d a(p), e = Vec3d(q) - a, f = Vec3d(r) - a;
   const Vec3d doubled_area = cross(e, f);
@@ -27,6 +28,8 @@ bool has_no_area(const Vec3& p, const Vec3& q, const Vec3& r) {
   const Vec3d n = abs(doubled_area);
   return n.x <= error.x && n.y <= error.y && n.z <= error.z;
 }
+
+namespace {
 
 std::size_t drop_triangles(Mesh& mesh) {
   auto& v = mesh.indices;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "scene/finish.h"
 #include "sdf/field.h"
 #include "sdf/mesher.h"
 
@@ -77,8 +78,13 @@ std::vector<FieldMesh> meshes_of_field(const Field& field, const std::optional<B
       options);
   const std::vector<Owner> owners = owners_of_triangles(field, whole);
   std::map<std::pair<std::uint32_t, std::uint32_t>, Part> parts;
-  for (std::size_t i = 0; i < owners.size(); ++i)
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const std::uint32_t* corner = &whole.indices[3 * i];
+    if (has_no_area(whole.positions[corner[0]], whole.positions[corner[1]],
+                    whole.positions[corner[2]]))
+      continue;
     parts.try_emplace({owners[i].object, owners[i].material}, whole).first->second.add(i);
+  }
   std::vector<FieldMesh> meshes;
   meshes.reserve(parts.size());
   for (auto& [owner, part] : parts) meshes.push_back({part.take(), owner.first, owner.second});

@@ -372,9 +372,8 @@ TEST_F(BakeCommandTest, CtrlCLeavesWhatThereIs) {
 TEST_F(BakeCommandTest, ASecondCtrlCEndsAtOnceAndLeavesNothing) {
   LongBake bake(scene, folder / "b.glb");
   const auto begin = std::chrono::steady_clock::now();
-  bake.send(SIGINT);
-  ::usleep(1000);
-  bake.send(SIGINT);
+  // Of signals that come while one is pending only one is delivered.
+  for (int i = 0; i < 20; ++i) bake.send(SIGINT), ::usleep(5000);
   const Outcome outcome = bake.outcome();
   const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(outcome.status, 130) << outcome.err;

@@ -110,6 +110,16 @@ TEST(CutCharts, CurvedChartsHoldEveryTriangleAndDoNotOverlap) {
   }
 }
 
+// Whatever a chart without area is made of, its texels stand for nothing.
+TEST(CutCharts, AChartWithoutAreaHasNoPlaces) {
+  Scene scene;
+  const auto triangle = add_mesh(scene, {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {0, 1, 2});
+  PlanarChart chart = cut(scene, triangle)[0].shape;
+  chart.edge_x = chart.edge_y = Vec3(0, 0, 0);
+  for (const TexelPlace& p : map_texels(chart, WorldMesh(scene, triangle), 1.5f))
+    EXPECT_FALSE(p.is_used());
+}
+
 TEST(CutCharts, TexelsOutsideStandForPointsJustInside) {
   Scene scene;
   const auto triangle = add_mesh(scene, {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {0, 1, 2});

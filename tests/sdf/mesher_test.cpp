@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/error.h"
+#include "scene/finish.h"
+#include "scene/load.h"
 #include "sdf/field.h"
 #include "sdf/sdf_scenes.h"
 #include "sdf/test_meshes.h"
@@ -170,6 +172,18 @@ TEST(Mesher, AMeshForEachMaterial) {
   for (const auto& part : meshes) expect_closed(part.mesh);
   EXPECT_NE(meshes[0].material, meshes[1].material);
   EXPECT_EQ(meshes[1].material, meshes[2].material);
+}
+
+// Its net has triangles that collapse.
+TEST(Mesher, EveryTriangleHasArea) {
+  const Scene scene = load_scene(PENUMBRA_SOURCE_DIR "/scenes/moving-lamp.json");
+  for (const auto& part : sdf::meshes_of_field(sdf::Field(scene), {})) {
+    const auto& p = part.mesh.positions;
+    for (std::size_t i = 0; i < part.mesh.indices.size(); i += 3) {
+      const std::uint32_t* corner = &part.mesh.indices[i];
+      EXPECT_FALSE(has_no_area(p[corner[0]], p[corner[1]], p[corner[2]]));
+    }
+  }
 }
 
 }  // namespace
