@@ -74,8 +74,9 @@ float gl_cost(const Occluders& occluders, const Tile& tile, const SampledLight& 
               std::size_t threads) {
   if (light.samples.empty()) return 0;
   const std::size_t count = light.samples.size();
-  const auto walks = static_cast<float>((count + gl_batch - 1) / gl_batch);
-  const auto passes = static_cast<float>((count + gl_pass - 1) / gl_pass);
+  const std::size_t whole_walks = (count + gl_batch - 1) / gl_batch;
+  const std::size_t whole_passes = (count + gl_pass - 1) / gl_pass;
+  const auto walks = static_cast<float>(whole_walks), passes = static_cast<float>(whole_passes);
   const auto samples = static_cast<float>(count);
   const float triangles = Shafts(occluders, tile, light).triangles(gl_batch);
   const float texels = texels_of(tile);

@@ -65,6 +65,7 @@ std::vector<bool> receivers_of(const Scene& scene, const std::vector<std::string
 
 std::vector<float> samples_scales(const Scene& scene) {
   std::vector<float> scales;
+  scales.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances)
     scales.push_back(scene.objects[instance.object].samples_scale);
   return scales;

@@ -74,6 +74,7 @@ void set(Json::Value& value, const Track& track);
 
 void set_number(Json::Value& value, const Track& track) {
   std::vector<Key> keys;
+  keys.reserve(track.frames.size());
   for (const Frame& f : track.frames)
     keys.push_back({f.time, number({track.document, *f.value, track.key},
                                    {-1e12, 1e12, "a number, as the key itself has"})});
