@@ -17,8 +17,7 @@ class Digest {
  public:
   void add_bytes(const void* bytes, std::size_t size);
   void add(std::string_view text) { add_bytes(text.data(), text.size()); }
-  template <class T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>>>
   void add(T value) {
     add_bytes(&value, sizeof value);
   }

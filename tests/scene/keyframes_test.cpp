@@ -137,6 +137,10 @@ TEST(Turntable, GoesRoundAndComesBack) {
     EXPECT_FLOAT_EQ(c.position.y, 2);
     EXPECT_NEAR(length(c.look_at - c.position), length(camera.look_at - camera.position), 1e-5);
   }
+  Camera south;
+  south.position = {0, 1, 5}, south.look_at = {0, 1, 0};
+  const Camera east = turned_about_scene(south, box, whole / 4);
+  EXPECT_LT(length(east.position - Vec3(5, 1, 0)), 1e-5f);  // counterclockwise from above
   const Camera quarter = turned_about_scene(camera, box, whole / 4);
   EXPECT_LT(dot(normalize(quarter.position - quarter.look_at),
                 normalize(camera.position - camera.look_at)),
